@@ -1,0 +1,166 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/features/descriptor_extractor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "beam_directions.hpp"
+#include "falko_slam/common/validation.hpp"
+#include "falko_slam/features/sector_grid.hpp"
+
+namespace falko_slam {
+namespace {
+
+// N(d, sigma) of the circular distance d between bin 0 and bins -bins to bins, up to a factor.
+std::vector<float> circular_gaussian(int bins, double sigma) {
+  std::vector<float> kernel;
+  for (int i = -bins; i <= bins; ++i) {
+    const double d = sector_distance(0, (i + bins) % bins, bins) / sigma;
+    kernel.push_back(static_cast<float>(std::exp(-0.5 * d * d)));
+  }
+  return kernel;
+}
+
+// The beams that may lie within `radius` of a keypoint: so many on either side of its own.
+struct BeamWindow {
+  std::ptrdiff_t below, above;
+};
+
+BeamWindow window_around(const LaserScan& scan, const Keypoint& keypoint,
+                         const Eigen::Vector2d& direction, double radius) {
+  const auto beams = static_cast<std::ptrdiff_t>(scan.size());
+  const auto center = static_cast<std::ptrdiff_t>(keypoint.beam);
+  const BeamWindow whole = scan.closed ? BeamWindow{(beams - 1) / 2, beams / 2}
+                                       : BeamWindow{center, beams - 1 - center};
+  // As seen along the keypoint's beam, which its refined position may lie off.
+  const double along = keypoint.position.dot(direction);
+  const double off = (keypoint.position - along * direction).norm();
+  const double sine = (radius + off) / along;
+  if (!(sine > 0.0 && sine < 1.0)) return whole;
+  const double angle =  // at least asin(sine)
+      sine < 0.5 ? sine * (1.0 + 0.19 * sine * sine) : std::asin(sine);
+  const auto lag = static_cast<std::ptrdiff_t>(std::ceil(angle / scan.angle_increment));
+  return {std::min(lag, whole.below), std::min(lag, whole.above)};
+}
+
+}  // namespace
+
+struct DescriptorExtractor::Workspace {
+  explicit Workspace(const DescriptorParams& params)
+      : radius(params.radius),
+        radius_square(static_cast<float>(params.radius * params.radius)),
+        rings_per_metre(static_cast<float>(params.rings / params.radius)),
+        last_ring(params.rings - 1),
+        sectors(params.sectors),
+        gaussian(circular_gaussian(params.sectors, params.cgh_sigma)),
+        words(static_cast<std::size_t>(params.rings * params.sectors + 63) / 64),
+        points_in_sector(static_cast<std::size_t>(params.sectors)) {}
+
+  void describe(const LaserScan& scan, Feature& feature);
+  void add_points(const LaserScan& scan, const Keypoint& keypoint, std::size_t begin,
+                  std::size_t end, Bsc& bsc);
+  void spread(Cgh& cgh) const;
+
+  double radius;
+  float radius_square;
+  float rings_per_metre;
+  int last_ring;
+  SectorGrid sectors;
+  std::vector<float> gaussian;
+  std::size_t words;
+  std::vector<int> points_in_sector;
+  BeamDirections directions;
+};
+
+void DescriptorExtractor::Workspace::add_points(const LaserScan& scan, const Keypoint& keypoint,
+                                                std::size_t begin, std::size_t end, Bsc& bsc) {
+  const auto cosine = static_cast<float>(std::cos(keypoint.orientation));
+  const auto sine = static_cast<float>(std::sin(keypoint.orientation));
+  const double center_x = keypoint.position.x();
+  const double center_y = keypoint.position.y();
+  const int outermost = last_ring;
+  const int count = sectors.count();
+  std::uint64_t* words = bsc.words.data();
+  int* points = points_in_sector.data();
+  for (std::size_t beam = begin; beam < end; ++beam) {
+    const double range = scan.ranges[beam];
+    const auto dx = static_cast<float>(range * directions[beam].x() - center_x);
+    const auto dy = static_cast<float>(range * directions[beam].y() - center_y);
+    const float square = dx * dx + dy * dy;
+    if (!(square < radius_square)) continue;  // nor for NaN
+    const int sector = sectors.sector(cosine * dx + sine * dy, cosine * dy - sine * dx);
+    const int ring = std::min(outermost, static_cast<int>(std::sqrt(square) * rings_per_metre));
+    const auto cell = static_cast<unsigned>(ring * count + sector);
+    words[cell / 64] |= std::uint64_t{1} << (cell % 64);
+    ++points[sector];
+  }
+}
+
+// Eq. (3.14): every point spreads over the bins around its own.
+void DescriptorExtractor::Workspace::spread(Cgh& cgh) const {
+  const std::size_t bins = points_in_sector.size();
+  for (std::size_t i = 0; i < bins; ++i) {
+    if (points_in_sector[i] == 0) continue;
+    const auto points = static_cast<float>(points_in_sector[i]);
+    const float* kernel = gaussian.data() + bins - i;
+    for (std::size_t j = 0; j < bins; ++j) cgh.bins[j] += points * kernel[j];
+  }
+  const float sum = std::accumulate(cgh.bins.begin(), cgh.bins.end(), 0.0F);
+  if (!(sum > 0.0F)) return;
+  for (float& bin : cgh.bins) bin /= sum;
+}
+
+void DescriptorExtractor::Workspace::describe(const LaserScan& scan, Feature& feature) {
+  feature.bsc.words.assign(words, 0);
+  feature.cgh.bins.assign(points_in_sector.size(), 0.0F);
+  std::fill(points_in_sector.begin(), points_in_sector.end(), 0);
+  const auto [below, above] = 
+      window_around(scan, feature.keypoint, directions[feature.keypoint.beam], radius);
+  const auto beams = static_cast<std::ptrdiff_t>(scan.size());
+  const auto first = static_cast<std::ptrdiff_t>(feature.keypoint.beam) - below;
+  const auto last = static_cast<std::ptrdiff_t>(feature.keypoint.beam) + above;
+  const auto add = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    add_points(scan, feature.keypoint, static_cast<std::size_t>(begin),
+               static_cast<std::size_t>(end), feature.bsc);
+  };
+  if (first < 0) add(first + beams, beams);
+  add(std::max<std::ptrdiff_t>(first, 0), std::min(last + 1, beams));
+  if (last >= beams) add(0, last + 1 - beams);
+  spread(feature.cgh);
+}
+
+DescriptorExtractor::DescriptorExtractor(const DescriptorParams& params) : params_(params) {
+  validate(params_);
+  workspace_ = std::make_unique<Workspace>(params_);
+}
+DescriptorExtractor::~DescriptorExtractor() = default;
+DescriptorExtractor::DescriptorExtractor(DescriptorExtractor&&) noexcept = default;
+DescriptorExtractor& DescriptorExtractor::operator=(DescriptorExtractor&&) noexcept = default;
+
+void DescriptorExtractor::extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints,
+                                  std::vector<Feature>& features) {
+  workspace_->directions.assign(scan);
+  features.resize(keypoints.size());
+  for (std::size_t i = 0; i < keypoints.size(); ++i) {
+    features[i].keypoint = keypoints[i];
+    workspace_->describe(scan, features[i]);
+  }
+}
+
+std::vector<Feature> DescriptorExtractor::extract(const LaserScan& scan,
+                                                  const std::vector<Keypoint>& keypoints) {
+  std::vector<Feature> features;
+  extract(scan, keypoints, features);
+  return features;
+}
+
+void validate(const DescriptorParams& params) {
+  require_in_range("radius", params.radius, 0.05, 10.0);
+  require_in_range("rings", params.rings, 1, 64);
+  require_in_range("sectors", params.sectors, 4, 256);
+  require_in_range("cgh_sigma", params.cgh_sigma, 0.01, 8.0);
+}
+
+}  // namespace falko_slam
