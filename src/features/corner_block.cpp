@@ -32,6 +32,14 @@ inline void look(const SampledScan& scan, const BeamBlock& block, const Center& 
   left.within = left.x * left.x + left.y * left.y <= center.radius_square;
 }
 
+// Whether the beam meets the line to either of its next neighbours at more than the least angle.
+inline void find_steep(const Neighbors& right, const Neighbors& left, float tangent,
+                       IntLanes& steep) {
+  const FloatLanes right_along = right.x < kZero ? -right.x : right.x;
+  const FloatLanes left_along = left.x < kZero ? -left.x : left.x;
+  steep = (-right.y >= tangent * right_along) | (left.y >= tangent * left_along);
+}
+
 // The farthest neighbour within the radius, Eqs. (3.3) and (3.4); the beam's point if there is none.
 struct End {
   FloatLanes x = kZero;
@@ -113,9 +121,13 @@ bool find_corners(const SampledScan& scan, const BeamBlock& block, const CornerT
   Neighbors right;
   Neighbors left;
 
+  look(scan, block, center, 1, right, left);
+  find_steep(right, left, tests.min_incidence_tangent, result.corner);
   End right_end;
   End left_end;
-  for (std::int32_t step = 1; step <= block.steps; ++step) {
+  right_end.take(right);
+  left_end.take(left);
+  for (std::int32_t step = 2; step <= block.steps; ++step) {
     look(scan, block, center, step, right, left);
     right_end.take(right);
     left_end.take(left);
@@ -126,7 +138,7 @@ bool find_corners(const SampledScan& scan, const BeamBlock& block, const CornerT
   const FloatLanes doubled_area = base_x * left_end.y - base_y * left_end.x;
   const FloatLanes area_square = doubled_area * doubled_area;
   const FloatLanes limit = center.radius_square / (tests.triangle_ratio * tests.triangle_ratio);
-  result.corner = (base_square >= limit) & (area_square >= limit * base_square);
+  result.corner &= (base_square >= limit) & (area_square >= limit * base_square);
   if (!any(result.corner)) return false;
 
   Side right_side;

@@ -9,6 +9,7 @@ namespace falko_slam {
 
 struct CornerTests {
   float triangle_ratio;       ///< beta
+  float min_incidence_tangent;
   float min_points_per_side;
   float refinement_limit;     ///< [m]
 };

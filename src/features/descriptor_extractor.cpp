@@ -13,14 +13,27 @@
 namespace falko_slam {
 namespace {
 
-// N(d, sigma) of the circular distance d between bin 0 and bins -bins to bins, up to a factor.
-std::vector<float> circular_gaussian(int bins, double sigma) {
-  std::vector<float> kernel;
-  for (int i = -bins; i <= bins; ++i) {
-    const double d = sector_distance(0, (i + bins) % bins, bins) / sigma;
-    kernel.push_back(static_cast<float>(std::exp(-0.5 * d * d)));
+constexpr int kMaxSectors = 256;
+
+// N(d, sigma) for circular distances -reach to reach of two bins, the sum over all bins being 1. Of
+// two bins that lie opposite each other the distance is counted on one side only.
+struct CircularGaussian {
+  std::size_t reach;
+  std::vector<float> weights;
+};
+
+CircularGaussian circular_gaussian(int bins, double sigma) {
+  constexpr double kTail = 5.0;  // standard deviations; what lies beyond is below 4e-6
+  const int reach = std::min(bins / 2, static_cast<int>(std::ceil(kTail * sigma)));
+  std::vector<double> weights;
+  for (int d = -reach; d <= reach; ++d) {
+    const bool twice = 2 * d == -bins;
+    weights.push_back(twice ? 0.0 : std::exp(-0.5 * d * d / (sigma * sigma)));
   }
-  return kernel;
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  CircularGaussian gaussian{static_cast<std::size_t>(reach), {}};
+  for (const double weight : weights) gaussian.weights.push_back(static_cast<float>(weight / sum));
+  return gaussian;
 }
 
 // The beams that may lie within `radius` of a keypoint: so many on either side of its own.
@@ -58,19 +71,20 @@ struct DescriptorExtractor::Workspace {
         words(static_cast<std::size_t>(params.rings * params.sectors + 63) / 64),
         points_in_sector(static_cast<std::size_t>(params.sectors)) {}
 
-  void describe(const LaserScan& scan, Feature& feature);
+  void describe(const LaserScan& scan, DescribedKeypoint& feature);
   void add_points(const LaserScan& scan, const Keypoint& keypoint, std::size_t begin,
                   std::size_t end, Bsc& bsc);
-  void spread(Cgh& cgh) const;
+  void spread(Cgh& cgh);
 
   double radius;
   float radius_square;
   float rings_per_metre;
   int last_ring;
   SectorGrid sectors;
-  std::vector<float> gaussian;
+  CircularGaussian gaussian;
   std::size_t words;
   std::vector<int> points_in_sector;
+  std::vector<float> sums;
   BeamDirections directions;
 };
 
@@ -82,7 +96,7 @@ void DescriptorExtractor::Workspace::add_points(const LaserScan& scan, const Key
   const double center_y = keypoint.position.y();
   const int outermost = last_ring;
   const int count = sectors.count();
-  std::uint64_t* words = bsc.words.data();
+  std::uint64_t* bits = bsc.words.data();
   int* points = points_in_sector.data();
   for (std::size_t beam = begin; beam < end; ++beam) {
     const double range = scan.ranges[beam];
@@ -93,28 +107,34 @@ void DescriptorExtractor::Workspace::add_points(const LaserScan& scan, const Key
     const int sector = sectors.sector(cosine * dx + sine * dy, cosine * dy - sine * dx);
     const int ring = std::min(outermost, static_cast<int>(std::sqrt(square) * rings_per_metre));
     const auto cell = static_cast<unsigned>(ring * count + sector);
-    words[cell / 64] |= std::uint64_t{1} << (cell % 64);
+    bits[cell / 64] |= std::uint64_t{1} << (cell % 64);
     ++points[sector];
   }
 }
 
 // Eq. (3.14): every point spreads over the bins around its own.
-void DescriptorExtractor::Workspace::spread(Cgh& cgh) const {
+void DescriptorExtractor::Workspace::spread(Cgh& cgh) {
   const std::size_t bins = points_in_sector.size();
+  const std::size_t reach = gaussian.reach;
+  sums.assign(bins + 2 * reach, 0.0F);  // bin i stands at i + reach, with what goes beyond the ends
+  float total = 0.0F;
   for (std::size_t i = 0; i < bins; ++i) {
     if (points_in_sector[i] == 0) continue;
     const auto points = static_cast<float>(points_in_sector[i]);
-    const float* kernel = gaussian.data() + bins - i;
-    for (std::size_t j = 0; j < bins; ++j) cgh.bins[j] += points * kernel[j];
+    for (std::size_t j = 0; j <= 2 * reach; ++j) sums[i + j] += points * gaussian.weights[j];
+    total += points;
   }
-  const float sum = std::accumulate(cgh.bins.begin(), cgh.bins.end(), 0.0F);
-  if (!(sum > 0.0F)) return;
-  for (float& bin : cgh.bins) bin /= sum;
+  for (std::size_t i = 0; i < reach; ++i) {
+    sums[bins + i] += sums[i];
+    sums[reach + i] += sums[bins + reach + i];
+  }
+  const float scale = total > 0.0F ? 1.0F / total : 0.0F;
+  cgh.bins.resize(bins);
+  for (std::size_t i = 0; i < bins; ++i) cgh.bins[i] = scale * sums[reach + i];
 }
 
-void DescriptorExtractor::Workspace::describe(const LaserScan& scan, Feature& feature) {
+void DescriptorExtractor::Workspace::describe(const LaserScan& scan, DescribedKeypoint& feature) {
   feature.bsc.words.assign(words, 0);
-  feature.cgh.bins.assign(points_in_sector.size(), 0.0F);
   std::fill(points_in_sector.begin(), points_in_sector.end(), 0);
   const auto [below, above] = 
       window_around(scan, feature.keypoint, directions[feature.keypoint.beam], radius);
@@ -140,7 +160,7 @@ DescriptorExtractor::DescriptorExtractor(DescriptorExtractor&&) noexcept = defau
 DescriptorExtractor& DescriptorExtractor::operator=(DescriptorExtractor&&) noexcept = default;
 
 void DescriptorExtractor::extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints,
-                                  std::vector<Feature>& features) {
+                                  std::vector<DescribedKeypoint>& features) {
   workspace_->directions.assign(scan);
   features.resize(keypoints.size());
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
@@ -149,9 +169,9 @@ void DescriptorExtractor::extract(const LaserScan& scan, const std::vector<Keypo
   }
 }
 
-std::vector<Feature> DescriptorExtractor::extract(const LaserScan& scan,
+std::vector<DescribedKeypoint> DescriptorExtractor::extract(const LaserScan& scan,
                                                   const std::vector<Keypoint>& keypoints) {
-  std::vector<Feature> features;
+  std::vector<DescribedKeypoint> features;
   extract(scan, keypoints, features);
   return features;
 }
@@ -159,7 +179,7 @@ std::vector<Feature> DescriptorExtractor::extract(const LaserScan& scan,
 void validate(const DescriptorParams& params) {
   require_in_range("radius", params.radius, 0.05, 10.0);
   require_in_range("rings", params.rings, 1, 64);
-  require_in_range("sectors", params.sectors, 4, 256);
+  require_in_range("sectors", params.sectors, 4, kMaxSectors);
   require_in_range("cgh_sigma", params.cgh_sigma, 0.01, 8.0);
 }
 

@@ -16,6 +16,7 @@ namespace falko_slam {
 struct FalkoDetector::Workspace {
   explicit Workspace(const FalkoParams& params)
       : tests{static_cast<float>(params.triangle_ratio),
+              static_cast<float>(std::tan(params.neighborhood.min_incidence)),
               static_cast<float>(params.neighborhood.min_points_per_side),
               static_cast<float>(params.refinement_limit)},
         ranking(params.ranking),

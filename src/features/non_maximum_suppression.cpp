@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <tuple>
 
 namespace falko_slam {
@@ -33,14 +34,15 @@ void NonMaximumSuppression::sort_best_first(const std::vector<CornerCandidate>& 
     order_.push_back(sort_key(candidates[i].rank, i));
   }
   std::sort(order_.begin(), order_.end());
-  const auto rank = [&](std::uint64_t key) { return key >> 32; };
-  for (auto begin = order_.begin(); begin != order_.end();) {
-    const auto end = std::find_if(begin + 1, order_.end(),
-                                  [&](std::uint64_t key) { return rank(key) != rank(*begin); });
+  const auto same_rank = [](std::uint64_t a, std::uint64_t b) { return a >> 32 == b >> 32; };
+  auto begin = std::adjacent_find(order_.begin(), order_.end(), same_rank);
+  while (begin != order_.end()) {
+    const auto end = std::find_if(
+        begin, order_.end(), [&](std::uint64_t key) { return !same_rank(key, *begin); });
     std::sort(begin, end, [&](std::uint64_t a, std::uint64_t b) {
       return breaks_tie(candidates[index(a)], candidates[index(b)]);
     });
-    begin = end;
+    begin = std::adjacent_find(end, order_.end(), same_rank);
   }
 }
 
@@ -49,6 +51,7 @@ const std::vector<KeptCorner>& NonMaximumSuppression::operator()(
     double merge_radius) {
   sort_best_first(candidates);
   peaks_.clear();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double suppression_square = suppression_radius * suppression_radius;
   const double merge_square = merge_radius * merge_radius;
   for (const std::uint64_t key : order_) {
@@ -56,17 +59,17 @@ const std::vector<KeptCorner>& NonMaximumSuppression::operator()(
     const double x = candidate.position.x();
     const double y = candidate.position.y();
     const double weight = 1.0 / (candidate.roughness_square + kPerfect);
-    bool suppressed = false;
+    double nearest = infinity;
     for (Peak& peak : peaks_) {
       const double square = (peak.x - x) * (peak.x - x) + (peak.y - y) * (peak.y - y);
-      if (square > suppression_square) continue;
-      suppressed = true;
+      nearest = std::min(nearest, square);
       if (square > merge_square) continue;
       peak.weight += weight;
       peak.sum_x += weight * x;
       peak.sum_y += weight * y;
     }
-    if (!suppressed) peaks_.push_back({x, y, weight, weight * x, weight * y, index(key)});
+    if (nearest <= suppression_square) continue;
+    peaks_.push_back({x, y, weight, weight * x, weight * y, index(key)});
   }
   std::sort(peaks_.begin(), peaks_.end(),
             [](const Peak& a, const Peak& b) { return a.index < b.index; });

@@ -81,6 +81,7 @@ Eigen::Vector2d turn(const Eigen::Vector2d& axis, const Eigen::Vector2d& v) {
 struct OrthogonalCornerDetector::Workspace {
   explicit Workspace(const OrthogonalCornerParams& params)
       : tests{static_cast<float>(2.0 * params.leg_ratio),
+              static_cast<float>(std::tan(params.neighborhood.min_incidence)),
               static_cast<float>(params.neighborhood.min_points_per_side),
               static_cast<float>(params.refinement_limit)},
         spectrum(params.spectrum),

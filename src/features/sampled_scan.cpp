@@ -23,40 +23,11 @@ constexpr std::size_t kMaxBins = 20000;  // farther beams are treated as if they
 // surface and are not averaged.
 constexpr float kMaxJump = 0.5F;
 
-struct Neighbor {
-  std::ptrdiff_t lag;  // in beams
-  float cosine, sine;  // of the angle to it
-};
-
-// The beam and its neighbour meet the line through their points at more than atan(tangent). False
-// where either is missing.
-inline void steep(const FloatLanes& center, const FloatLanes& neighbor_range, const Neighbor& angle,
-                  float tangent, IntLanes& result) {
-  const FloatLanes across = neighbor_range * angle.sine;
-  const FloatLanes along = neighbor_range * angle.cosine - center;
-  result = across >= tangent * (along < 0.0F ? -along : along);
-}
-
-void copy_unless_grazing(const float* from, const Neighbor& neighbor, float tangent, float* to) {
-  FloatLanes center;
-  FloatLanes below;
-  FloatLanes above;
-  load(from, center);
-  load(from - neighbor.lag, below);
-  load(from + neighbor.lag, above);
-  IntLanes steep_below;
-  IntLanes steep_above;
-  steep(center, below, neighbor, tangent, steep_below);
-  steep(center, above, neighbor, tangent, steep_above);
-  store((steep_below | steep_above) ? center : FloatLanes{} + kNaN, to);
-}
-
 std::ptrdiff_t as_offset(std::size_t index) { return static_cast<std::ptrdiff_t>(index); }
 
 }  // namespace
 
-SampledScan::SampledScan(const NeighborhoodParams& params)
-    : params_(params), tangent_(static_cast<float>(std::tan(params.min_incidence))) {}
+SampledScan::SampledScan(const NeighborhoodParams& params) : params_(params) {}
 
 void SampledScan::assign(const LaserScan& scan) {
   build_tables(scan);
@@ -67,7 +38,6 @@ void SampledScan::assign(const LaserScan& scan) {
                  [](double range) { return static_cast<float>(range); });
   fill_margins(raw_);
   smooth_ = raw_;
-  if (params_.min_incidence > 0.0) drop_grazing();
   if (params_.smoothing_window > 0.0) average_ranges();
 }
 
@@ -154,19 +124,8 @@ void SampledScan::fill_margins(std::vector<float>& ranges) const {
   }
 }
 
-// Blocks are written whole; what goes beyond their last beam is written again by the next one.
-void SampledScan::drop_grazing() {
-  for (const BeamBlock& block : blocks_) {
-    const Neighbor neighbor{block.stride, cosine(block.stride), sine(block.stride)};
-    copy_unless_grazing(raw_.data() + margin_ + block.first, neighbor, tangent_,
-                        smooth_.data() + margin_ + block.first);
-  }
-  fill_margins(smooth_);
-}
-
 // The mean over a window that grows on both sides alike, until the surface ends on either.
 void SampledScan::average_ranges() {
-  raw_ = smooth_;
   for (std::size_t i = 0; i < size(); ++i) {
     const std::int32_t half = bin(i).half_window;
     if (half == 0) continue;

@@ -27,8 +27,8 @@ struct BeamBlock {
   std::int32_t steps;   ///< sampled points that may lie within the radius of any of the beams
 };
 
-/// A scan prepared for looking at the neighbourhoods of its beams: grazing beams left out, ranges
-/// smoothed, and for each beam how far and in which steps its neighbours are looked at.
+/// A scan prepared for looking at the neighbourhoods of its beams: ranges smoothed, and for each beam
+/// how far and in which steps its neighbours are looked at.
 ///
 /// Everything is computed from ranges and differences of beam numbers alone, so that it does not
 /// depend on where a closed scan starts. Single precision: a micrometre at 10 m.
@@ -44,8 +44,8 @@ class SampledScan {
   std::size_t size() const { return bin_.size(); }
   const std::vector<BeamBlock>& blocks() const { return blocks_; }
 
-  /// Smoothed ranges [m] from `beam` on; NaN where there is none or it was left out. As many beams
-  /// as its steps reach, and kLanes more, can be read on either side.
+  /// Smoothed ranges [m] from `beam` on; NaN where the beam is not valid. As many beams as its steps
+  /// reach, and kLanes more, can be read on either side.
   const float* ranges(std::size_t beam) const { return smooth_.data() + margin_ + beam; }
   /// Squared radii of the neighbourhoods [m^2], from `beam` on, with kLanes to spare.
   const float* radius_squares(std::size_t beam) const { return radius_square_.data() + beam; }
@@ -58,12 +58,19 @@ class SampledScan {
   template <class Use>
   void for_each(std::size_t beam, Side side, Use&& use) const {
     const float* center = ranges(beam);
-    const auto sign = static_cast<int>(side);
-    for (std::int32_t step = 1; step <= bin(beam).steps; ++step) {
-      const auto lag = static_cast<std::ptrdiff_t>(step) * bin(beam).stride;
+    const float radius_square = radius_square_[beam];
+    const std::int32_t steps = bin(beam).steps;
+    const std::ptrdiff_t stride = bin(beam).stride;
+    const float* cosines = cosine_.data();
+    const float* sines = sine_.data();
+    const int sign = static_cast<int>(side);
+    std::ptrdiff_t lag = 0;
+    for (std::int32_t step = 1; step <= steps; ++step) {
+      lag += stride;
       const float range = center[sign * lag];
-      const Offset point{range * cosine(lag) - *center, static_cast<float>(sign) * range * sine(lag)};
-      if (point.x * point.x + point.y * point.y <= radius_square_[beam]) use(point);
+      const Offset point{range * cosines[lag] - *center,
+                         static_cast<float>(sign) * range * sines[lag]};
+      if (point.x * point.x + point.y * point.y <= radius_square) use(point);
     }
   }
 
@@ -84,11 +91,9 @@ class SampledScan {
   void look_up_ranges(const LaserScan& scan);
   void make_blocks();
   void fill_margins(std::vector<float>& ranges) const;
-  void drop_grazing();
   void average_ranges();
 
   NeighborhoodParams params_;
-  float tangent_;  // of min_incidence
 
   BeamDirections directions_;
   double angle_increment_ = 0.0;

@@ -16,11 +16,13 @@ std::optional<LineFit> fit_line(const std::vector<Eigen::Vector2d>& points, doub
   if (!(fit.spread_along > 0.0)) return std::nullopt;
 
   const double count = moments.weight();
+  double squares = 0.0;  // summed from the distances: the moments lose the smallest of them
+  for (const auto& point : points) squares += std::pow(fit.line.signed_distance(point - origin), 2);
   LineFit result;
   result.line = {fit.line.normal, fit.line.offset + fit.line.normal.dot(origin)};
-  result.rms_distance = std::sqrt(fit.mean_square_distance);
+  result.rms_distance = std::sqrt(squares / count);
   const double variance = point_noise > 0.0 ? point_noise * point_noise
-                          : count > 2.0     ? fit.mean_square_distance * count / (count - 2.0)
+                          : count > 2.0     ? squares / (count - 2.0)
                                             : 0.0;
   // Angle and offset at the centroid are uncorrelated; moving the offset to the origin couples them
   // by the centroid's coordinate along the line.

@@ -21,7 +21,7 @@ struct DescriptorParams {
 /// Throws std::invalid_argument with the field and its value.
 void validate(const DescriptorParams& params);
 
-struct Feature {
+struct DescribedKeypoint {
   Keypoint keypoint;
   Bsc bsc;
   Cgh cgh;
@@ -41,8 +41,8 @@ class DescriptorExtractor {
 
   /// Replaces `features` by the keypoints with their descriptors, in the same order.
   void extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints,
-               std::vector<Feature>& features);
-  std::vector<Feature> extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints);
+               std::vector<DescribedKeypoint>& features);
+  std::vector<DescribedKeypoint> extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints);
 
   const DescriptorParams& params() const { return params_; }
 

@@ -16,8 +16,8 @@ struct NeighborhoodParams {
   double sample_spacing = 0.10;
   /// Ranges are averaged over this share of the radius, within one surface. 0: as measured. [0, 1]
   double smoothing_window = 0.12;
-  /// Beams that meet the surface at a smaller angle on both sides are left out: mixed pixels
-  /// between two surfaces, and walls seen too flat to tell their shape. 0: none. [rad]
+  /// Beams that meet the surface at a smaller angle on both sides are no corners: mixed pixels
+  /// between two surfaces, and walls seen too flat to tell their shape. 0: all may be. [rad]
   double min_incidence = 0.175;
   /// Points that each side must have. [2, 100]
   int min_points_per_side = 2;

@@ -1,0 +1,39 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "falko_slam/evaluation/descriptor_curve.hpp"
+#include "falko_slam/evaluation/repeatability_study.hpp"
+#include "falko_slam/features/descriptor_extractor.hpp"
+
+namespace falko_slam {
+
+using FeatureFunction = std::function<std::vector<DescribedKeypoint>(const LaserScan&)>;
+
+/// The curves of Fig. 3.9 of \cite kallasi2017 for one condition.
+struct DescriptorCurves {
+  std::string condition;
+  std::vector<PrecisionRecall> bsc;
+  std::vector<PrecisionRecall> cgh;
+};
+
+struct DescriptorStudyParams {
+  double min_overlap = 0.5;       ///< of the scan pairs of the viewpoint curve
+  double max_overlap = 0.9;
+  std::size_t curve_points = 50;
+};
+
+/// All descriptors of one scan against all of the other, over the cases of the repeatability study:
+/// "viewpoint", "noise", "subsampling" and "oversampling" (over all levels). Two keypoints are the
+/// same point if the greedy one-to-one association within its radius pairs them.
+std::vector<DescriptorCurves> study_descriptors(const std::vector<PosedScan>& scans,
+                                                const RepeatabilityCases& cases,
+                                                const RepeatabilityParams& conditions,
+                                                const DescriptorStudyParams& params,
+                                                const FeatureFunction& extract);
+
+}  // namespace falko_slam

@@ -1,0 +1,55 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <string>
+
+#include "falko_slam/common/time.hpp"
+#include "falko_slam/ros_bridge/time_conversion.hpp"
+
+namespace falko_slam {
+
+/// Writes a bag beside its final name and moves it there when finished: an old file is replaced by
+/// a whole new one or not at all.
+class BagFile {
+ public:
+  /// Throws std::runtime_error with the name if the file cannot be written, or exists already and
+  /// may not be replaced.
+  BagFile(std::string path, bool replace);
+  /// Removes what was not finished.
+  ~BagFile();
+  BagFile(const BagFile&) = delete;
+  BagFile& operator=(const BagFile&) = delete;
+
+  /// Bags are read in the order of their times: a message with an earlier time than the one before
+  /// it gets that one's time.
+  template <class Message>
+  void write(const std::string& topic, Time time, const Message& message) {
+    bag_.write(topic, next_time(time), message);
+  }
+  /// For messages of all times, such as static transforms.
+  template <class Message>
+  void write_latched(const std::string& topic, Time time, const Message& message) {
+    const auto header = boost::make_shared<ros::M_string>();
+    (*header)["latching"] = "1";
+    bag_.write(topic, next_time(time), message, header);
+  }
+
+  void finish();
+
+  std::size_t moved_times() const { return moved_times_; }
+
+ private:
+  ros::Time next_time(Time time);
+
+  std::string path_;
+  std::string temporary_;
+  rosbag::Bag bag_;
+  ros::Time last_ = ros::TIME_MIN;
+  std::size_t moved_times_ = 0;
+  bool finished_ = false;
+};
+
+}  // namespace falko_slam

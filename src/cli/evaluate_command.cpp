@@ -1,0 +1,71 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "feature_report.hpp"
+
+namespace falko_slam {
+namespace cli {
+namespace {
+
+struct EvaluateFeaturesOptions {
+  std::vector<std::string> logs;
+  std::string json;
+  FeatureEvaluationParams params;
+};
+
+void evaluate_logs(const EvaluateFeaturesOptions& options) {
+  nlohmann::json document = nlohmann::json::array();
+  for (const std::string& log : options.logs) {
+    CarmenReport report;
+    const std::vector<PosedScan> scans = load_posed_scans(log, report);
+    std::cout << log << ": " << describe(report) << "\n";
+    const FeatureEvaluation evaluation = evaluate_features(
+        scans, options.params, [](const std::string& what) { std::cerr << what << " ...\n"; });
+    print_report(evaluation, options.params);
+    std::cout << "\n" << std::flush;
+    nlohmann::json entry = as_json(evaluation, options.params);
+    entry["log"] = log.substr(log.find_last_of('/') + 1);
+    document.push_back(entry);
+  }
+  std::cout << describe_resources() << "\n";
+  if (!options.json.empty()) write_json(options.json, document);
+}
+
+void add_features(CLI::App& evaluate) {
+  auto options = std::make_shared<EvaluateFeaturesOptions>();
+  RepeatabilityParams& conditions = options->params.repeatability;
+  CLI::App* verb = evaluate.add_subcommand(
+      "features", "Tables 3.1, 3.2 and Figs. 3.8, 3.9 of the thesis, on logs with corrected poses");
+  verb->add_option("logs", options->logs,
+                   "CARMEN logs: VERTEX2 before ROBOTLASER1, or FLASER with corrected poses")
+      ->required();
+  verb->add_option("--json", options->json, "write all figures; scripts/plot_features draws them");
+  verb->add_option("--references", conditions.reference_scans,
+                   "reference scans drawn at random, default 100");
+  verb->add_option("--seed", conditions.seed, "default 1");
+  verb->add_option("--association-radius", conditions.association_radius,
+                   "keypoints nearer than this are the same [m], default 0.1");
+  verb->add_option("--viewpoint-distance", conditions.viewpoint_distance,
+                   "scans nearer than this are compared [m], default 1");
+  verb->add_option("--map-separation", options->params.map_separation,
+                   "d_min of Table 3.1 [m], default 0.2");
+  verb->add_option("--map-orders", options->params.map_orders,
+                   "random orders of the scans that Table 3.1 is averaged over, default 10")
+      ->check(CLI::Range(1, 1000));
+  verb->callback([options] { evaluate_logs(*options); });
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("evaluate", "measure against ground truth");
+  verb->require_subcommand(1);
+  add_features(*verb);
+}
+
+}  // namespace cli
+}  // namespace falko_slam

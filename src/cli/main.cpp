@@ -1,0 +1,26 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <iostream>
+
+#include "commands.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("falko_slam on recorded data, faster than real time");
+  app.name("falko");
+  app.require_subcommand(1);
+  falko_slam::cli::add_convert(app);
+  falko_slam::cli::add_detect(app);
+  falko_slam::cli::add_evaluate(app);
+  falko_slam::cli::add_parameters(app);
+  falko_slam::cli::add_simulate(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "falko: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
