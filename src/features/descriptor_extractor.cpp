@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "beam_directions.hpp"
 #include "falko_slam/common/validation.hpp"
@@ -71,6 +72,7 @@ struct DescriptorExtractor::Workspace {
         words(static_cast<std::size_t>(params.rings * params.sectors + 63) / 64),
         points_in_sector(static_cast<std::size_t>(params.sectors)) {}
 
+  void resize(std::vector<DescribedKeypoint>& features, std::size_t size);
   void describe(const LaserScan& scan, DescribedKeypoint& feature);
   void add_points(const LaserScan& scan, const Keypoint& keypoint, std::size_t begin,
                   std::size_t end, Bsc& bsc);
@@ -86,7 +88,22 @@ struct DescriptorExtractor::Workspace {
   std::vector<int> points_in_sector;
   std::vector<float> sums;
   BeamDirections directions;
+  std::vector<DescribedKeypoint> spare;  // for their memory
 };
+
+// Features that are not needed now keep the memory of their descriptors for a later scan.
+void DescriptorExtractor::Workspace::resize(std::vector<DescribedKeypoint>& features,
+                                            std::size_t size) {
+  while (features.size() > size) {
+    spare.push_back(std::move(features.back()));
+    features.pop_back();
+  }
+  while (features.size() < size && !spare.empty()) {
+    features.push_back(std::move(spare.back()));
+    spare.pop_back();
+  }
+  features.resize(size);
+}
 
 void DescriptorExtractor::Workspace::add_points(const LaserScan& scan, const Keypoint& keypoint,
                                                 std::size_t begin, std::size_t end, Bsc& bsc) {
@@ -162,7 +179,7 @@ DescriptorExtractor& DescriptorExtractor::operator=(DescriptorExtractor&&) noexc
 void DescriptorExtractor::extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints,
                                   std::vector<DescribedKeypoint>& features) {
   workspace_->directions.assign(scan);
-  features.resize(keypoints.size());
+  workspace_->resize(features, keypoints.size());
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
     features[i].keypoint = keypoints[i];
     workspace_->describe(scan, features[i]);

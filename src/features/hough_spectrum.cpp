@@ -13,8 +13,10 @@
 namespace falko_slam {
 namespace {
 
-// Points of neighbouring beams farther apart than this share of their range belong to no one wall.
-constexpr double kMaxGap = 0.1;
+// The direction of a wall is measured over about this length, so that noise of a few centimetres
+// turns it by a few degrees only; points farther apart than kMaxLength are not of one wall. [m]
+constexpr double kLength = 0.3;
+constexpr double kMaxLength = 1.0;
 constexpr int kMaxIterations = 50;
 constexpr double kConverged = 1e-9;
 
@@ -24,7 +26,7 @@ struct Fourfold {
   double sine;
 };
 
-struct Wall {  // from one point to the next
+struct Wall {  // from one point to another
   Fourfold direction;
   double length;
 };
@@ -79,25 +81,25 @@ void HoughSpectrum::Workspace::collect(const LaserScan& scan, double max_range) 
   x.clear();
   y.clear();
   walls.clear();
-  const auto usable = [&](std::size_t i) { return scan.ranges[i] <= max_range; };
+  const std::size_t beams = scan.size();
   const auto point = [&](std::size_t i) -> Eigen::Vector2d {
     return scan.ranges[i] * directions[i];
   };
-  const std::size_t end = scan.size() - 1;
-  bool joined = scan.closed && usable(end);
-  Eigen::Vector2d last = joined ? point(end) : Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const bool follows = joined;
-    joined = usable(i);
-    if (!joined) continue;
+  for (std::size_t i = 0; i < beams; ++i) {
+    if (!(scan.ranges[i] > 0.0 && scan.ranges[i] <= max_range)) continue;
     const Eigen::Vector2d here = point(i);
     x.push_back(static_cast<float>(here.x()));
     y.push_back(static_cast<float>(here.y()));
-    const Eigen::Vector2d along = here - last;
-    last = here;
+    const double lag = std::ceil(kLength / (scan.ranges[i] * scan.angle_increment));
+    if (!(lag < 0.5 * static_cast<double>(beams))) continue;
+    std::size_t other = i + static_cast<std::size_t>(lag);
+    if (other >= beams && !scan.closed) continue;
+    other %= beams;
+    const Eigen::Vector2d along = point(other) - here;
     const double square = along.squaredNorm();
-    const double gap = kMaxGap * scan.ranges[i];
-    if (follows && square > 0.0 && square <= gap * gap) walls.push_back(wall_along(along, square));
+    if (square > 0.0 && square <= kMaxLength * kMaxLength) {
+      walls.push_back(wall_along(along, square));
+    }
   }
 }
 

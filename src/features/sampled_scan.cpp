@@ -12,6 +12,9 @@
 namespace falko_slam {
 namespace {
 
+// More beams are not averaged on either side: a hundred of them take the noise away well enough.
+constexpr double kMaxHalfWindow = 50.0;
+
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 // Resolution of the table over the range [m]: the radius is taken at the middle of the bin and is
@@ -76,7 +79,8 @@ SampledScan::RangeBin SampledScan::range_bin(double range) const {
   bin.radius_square = static_cast<float>(radius * radius);
   bin.stride = std::max(1, beams(params_.sample_spacing * beams_in_radius + 0.5));
   bin.steps = beams(angle / angle_increment_) / bin.stride;
-  bin.half_window = beams(0.5 * params_.smoothing_window * beams_in_radius);
+  bin.half_window =
+      beams(std::min(kMaxHalfWindow, 0.5 * params_.smoothing_window * beams_in_radius));
   return bin;
 }
 

@@ -37,7 +37,7 @@ inline LaserScan closed_scan(const Scene& scene, const Pose2& world_T_laser, std
 inline Scene room_with_pillar() {
   Scene scene;
   scene.add_box({0.0, 0.0, 0.0}, {6.0, 4.0});
-  scene.add_box({1.6, 0.7, 0.3}, {0.6, 0.6});
+  scene.add_box({1.6, 0.7, 1.0}, {0.6, 0.6});
   return scene;
 }
 

@@ -23,7 +23,7 @@ void validate(const HoughSpectrumParams& params);
 /// The Hough spectrum \cite censi2005hsm, HS(theta) = sum over rho of HT(theta, rho)^2, has peaks
 /// in the directions of long walls. Spectrum plus spectrum turned by 90 degrees gives the cell of
 /// the dominant pair of directions. From there the directions of the walls themselves, measured
-/// between neighbouring points, are averaged with a weight that falls off on either side until the
+/// between points 0.3 m apart, are averaged with a weight that falls off on either side until the
 /// mean stands still. What it converges to does not depend on the cells.
 ///
 /// Keeps its memory between scans; not thread-safe.
@@ -34,8 +34,8 @@ class HoughSpectrum {
   HoughSpectrum(HoughSpectrum&&) noexcept;
   HoughSpectrum& operator=(HoughSpectrum&&) noexcept;
 
-  /// In [0, pi/2), laser frame; the other direction is orthogonal to it. Empty if fewer than two
-  /// neighbouring beams are valid.
+  /// In [0, pi/2), laser frame; the other direction is orthogonal to it. Empty without a wall in
+  /// sight.
   std::optional<double> dominant_direction(const LaserScan& scan);
 
   /// HS over [0, pi) of the scan last asked about; theta is the direction of the lines' normal.
