@@ -55,10 +55,12 @@ namespace cli {
 namespace {
 
 void print_map_table(const FeatureEvaluation& evaluation, const FeatureEvaluationParams& params) {
-  std::printf("\nStability in the map (Table 3.1): landmarks, mean deviations [m], single points\n");
+  std::printf(
+      "\nStability in the map (Table 3.1): landmarks, mean deviations [m], single points\n");
   for (std::size_t i = 0; i < params.map_radii.size(); ++i) {
-    std::printf("  d_max %.2f m            log order                     mean of %zu random orders\n",
-                params.map_radii[i], params.map_orders);
+    std::printf(
+        "  d_max %.2f m            log order                     mean of %zu random orders\n",
+        params.map_radii[i], params.map_orders);
     for (const DetectorEvaluation& detector : evaluation.detectors) {
       std::printf("  %-16s", detector.name.c_str());
       for (const KeypointMapStatistics* row : {&detector.map[i], &detector.map_shuffled[i]}) {
@@ -136,8 +138,8 @@ void print_descriptors(const FeatureEvaluation& evaluation) {
   for (const double share : kShares) std::printf("   %.1f", share);
   std::printf("\n");
   for (const DescriptorCurves& curves : evaluation.descriptors) {
-    for (const auto& [name, curve] : {std::make_pair("BSC", &curves.bsc),
-                                      std::make_pair("CGH", &curves.cgh)}) {
+    for (const auto& [name, curve] :
+         {std::make_pair("BSC", &curves.bsc), std::make_pair("CGH", &curves.cgh)}) {
       std::printf("  %-12s%s ", curves.condition.c_str(), name);
       for (const double share : kShares) std::printf("  %.2f", recall_at(*curve, share));
       std::printf("\n");
@@ -149,13 +151,13 @@ void print_descriptors(const FeatureEvaluation& evaluation) {
 
 void print_report(const FeatureEvaluation& evaluation, const FeatureEvaluationParams& params) {
   std::printf("%zu scans, %zu reference scans, %zu pairs of scans within %.1f m\n",
-              evaluation.scans,
-              std::min(evaluation.scans, params.repeatability.reference_scans),
+              evaluation.scans, std::min(evaluation.scans, params.repeatability.reference_scans),
               evaluation.viewpoint_pairs, params.repeatability.viewpoint_distance);
   print_map_table(evaluation, params);
   print_repeatabilities(evaluation, params.repeatability);
   print_descriptors(evaluation);
-  std::printf("\nTime per scan on this machine (Table 3.2) [us]: mean, median; keypoints per scan\n");
+  std::printf(
+      "\nTime per scan on this machine (Table 3.2) [us]: mean, median; keypoints per scan\n");
   for (const DetectorEvaluation& detector : evaluation.detectors) {
     std::printf("  %-16s  %8.1f  %8.1f  %6.2f\n", detector.name.c_str(), detector.time.mean,
                 detector.time.median, detector.keypoints_per_scan);

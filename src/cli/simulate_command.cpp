@@ -21,7 +21,7 @@ struct SimulateOptions {
   std::string out;
   bool replace = false;
   std::uint64_t seed = 1;
-  double speed = 0.8;       // [m/s]
+  double speed = 0.8;          // [m/s]
   double scan_period = 0.125;  // [s], NAV350: 8 Hz
   SimulatedLaserParams laser;
 };

@@ -15,7 +15,8 @@ using Features = std::vector<DescribedKeypoint>;
 std::vector<Eigen::Vector2d> positions_of(const Features& features, const Pose2& map_T_laser) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(features.size());
-  for (const DescribedKeypoint& feature : features) points.push_back(map_T_laser * feature.keypoint.position);
+  for (const DescribedKeypoint& feature : features)
+    points.push_back(map_T_laser * feature.keypoint.position);
   return points;
 }
 

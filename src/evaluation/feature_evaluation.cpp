@@ -31,7 +31,8 @@ template <class Work>
 double microseconds_of(Work&& work) {
   const auto begin = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin)
+      .count();
 }
 
 DetectorEvaluation evaluate(const NamedDetector& detector, const std::vector<PosedScan>& scans,
@@ -52,8 +53,8 @@ DetectorEvaluation evaluate(const NamedDetector& detector, const std::vector<Pos
   for (const double radius : params.map_radii) {
     const KeypointMapParams map{radius, params.map_separation};
     result.map.push_back(keypoint_map_statistics(in_map, map));
-    result.map_shuffled.push_back(shuffled_keypoint_map_statistics(
-        in_map, map, params.map_orders, params.repeatability.seed));
+    result.map_shuffled.push_back(shuffled_keypoint_map_statistics(in_map, map, params.map_orders,
+                                                                   params.repeatability.seed));
   }
   result.repeatability = study_repeatability(scans, cases, params.repeatability, detector.detect);
   return result;

@@ -45,7 +45,8 @@ void study_viewpoints(const std::vector<PosedScan>& scans, const RepeatabilityCa
   }
   for (const ViewpointPair& pair : cases.viewpoints) {
     if (in_map[pair.reference].empty()) continue;
-    const auto bin = static_cast<std::size_t>(pair.overlap * static_cast<double>(params.overlap_bins));
+    const auto bin =
+        static_cast<std::size_t>(pair.overlap * static_cast<double>(params.overlap_bins));
     result.viewpoint[std::min(bin, params.overlap_bins - 1)].add(
         repeatability(in_map[pair.reference], in_map[pair.other], params.association_radius));
   }

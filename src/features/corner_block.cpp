@@ -40,7 +40,8 @@ inline void find_steep(const Neighbors& right, const Neighbors& left, float tang
   steep = (-right.y >= tangent * right_along) | (left.y >= tangent * left_along);
 }
 
-// The farthest neighbour within the radius, Eqs. (3.3) and (3.4); the beam's point if there is none.
+// The farthest neighbour within the radius, Eqs. (3.3) and (3.4); the beam's point if there is
+// none.
 struct End {
   FloatLanes x = kZero;
   FloatLanes y = kZero;

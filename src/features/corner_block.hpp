@@ -8,18 +8,18 @@
 namespace falko_slam {
 
 struct CornerTests {
-  float triangle_ratio;       ///< beta
+  float triangle_ratio;  ///< beta
   float min_incidence_tangent;
   float min_points_per_side;
-  float refinement_limit;     ///< [m]
+  float refinement_limit;  ///< [m]
 };
 
 /// The corners of one block of beams, each in the frame of its own beam (Offset).
 struct CornerBlock {
-  IntLanes corner;             ///< mask: the beam passed the tests
-  FloatLanes x, y;             ///< where the lines through the two sides meet [m]
-  FloatLanes axis_x, axis_y;   ///< sum of unit vectors along the two sides: into the corner
-  FloatLanes slope;            ///< how the two sides lean; changes sign in a mirror
+  IntLanes corner;              ///< mask: the beam passed the tests
+  FloatLanes x, y;              ///< where the lines through the two sides meet [m]
+  FloatLanes axis_x, axis_y;    ///< sum of unit vectors along the two sides: into the corner
+  FloatLanes slope;             ///< how the two sides lean; changes sign in a mirror
   FloatLanes roughness_square;  ///< mean squared residual of the sides over the squared height
 };
 

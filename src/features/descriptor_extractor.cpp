@@ -46,8 +46,8 @@ BeamWindow window_around(const LaserScan& scan, const Keypoint& keypoint,
                          const Eigen::Vector2d& direction, double radius) {
   const auto beams = static_cast<std::ptrdiff_t>(scan.size());
   const auto center = static_cast<std::ptrdiff_t>(keypoint.beam);
-  const BeamWindow whole = scan.closed ? BeamWindow{(beams - 1) / 2, beams / 2}
-                                       : BeamWindow{center, beams - 1 - center};
+  const BeamWindow whole =
+      scan.closed ? BeamWindow{(beams - 1) / 2, beams / 2} : BeamWindow{center, beams - 1 - center};
   // As seen along the keypoint's beam, which its refined position may lie off.
   const double along = keypoint.position.dot(direction);
   const double off = (keypoint.position - along * direction).norm();
@@ -153,7 +153,7 @@ void DescriptorExtractor::Workspace::spread(Cgh& cgh) {
 void DescriptorExtractor::Workspace::describe(const LaserScan& scan, DescribedKeypoint& feature) {
   feature.bsc.words.assign(words, 0);
   std::fill(points_in_sector.begin(), points_in_sector.end(), 0);
-  const auto [below, above] = 
+  const auto [below, above] =
       window_around(scan, feature.keypoint, directions[feature.keypoint.beam], radius);
   const auto beams = static_cast<std::ptrdiff_t>(scan.size());
   const auto first = static_cast<std::ptrdiff_t>(feature.keypoint.beam) - below;
@@ -186,8 +186,8 @@ void DescriptorExtractor::extract(const LaserScan& scan, const std::vector<Keypo
   }
 }
 
-std::vector<DescribedKeypoint> DescriptorExtractor::extract(const LaserScan& scan,
-                                                  const std::vector<Keypoint>& keypoints) {
+std::vector<DescribedKeypoint> DescriptorExtractor::extract(
+    const LaserScan& scan, const std::vector<Keypoint>& keypoints) {
   std::vector<DescribedKeypoint> features;
   extract(scan, keypoints, features);
   return features;

@@ -103,8 +103,8 @@ void HoughSpectrum::Workspace::collect(const LaserScan& scan, double max_range) 
   }
 }
 
-// sum over rho of HT(theta, rho)^2 in two directions at once. It is counted while voting: the square
-// of n + 1 is 2 n + 1 more than that of n.
+// sum over rho of HT(theta, rho)^2 in two directions at once. It is counted while voting: the
+// square of n + 1 is 2 n + 1 more than that of n.
 HoughSpectrum::Workspace::Energies HoughSpectrum::Workspace::energies(std::size_t a,
                                                                       std::size_t b) {
   std::fill(votes_a.begin(), votes_a.end(), 0);
@@ -155,8 +155,7 @@ std::optional<double> HoughSpectrum::dominant_direction(const LaserScan& scan) {
     if (energy + orthogonal > spectrum_[best] + spectrum_[best + half]) best = i;
   }
   const double coarse = kPi * static_cast<double>(best) / static_cast<double>(spectrum_.size());
-  const Fourfold mean =
-      settle(workspace_->walls, {std::cos(4.0 * coarse), std::sin(4.0 * coarse)});
+  const Fourfold mean = settle(workspace_->walls, {std::cos(4.0 * coarse), std::sin(4.0 * coarse)});
   const double direction = 0.25 * std::atan2(mean.sine, mean.cosine);
   return direction < 0.0 ? direction + 0.5 * kPi : direction;
 }

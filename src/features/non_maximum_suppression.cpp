@@ -37,8 +37,8 @@ void NonMaximumSuppression::sort_best_first(const std::vector<CornerCandidate>& 
   const auto same_rank = [](std::uint64_t a, std::uint64_t b) { return a >> 32 == b >> 32; };
   auto begin = std::adjacent_find(order_.begin(), order_.end(), same_rank);
   while (begin != order_.end()) {
-    const auto end = std::find_if(
-        begin, order_.end(), [&](std::uint64_t key) { return !same_rank(key, *begin); });
+    const auto end = std::find_if(begin, order_.end(),
+                                  [&](std::uint64_t key) { return !same_rank(key, *begin); });
     std::sort(begin, end, [&](std::uint64_t a, std::uint64_t b) {
       return breaks_tie(candidates[index(a)], candidates[index(b)]);
     });

@@ -97,8 +97,7 @@ struct OrthogonalCornerDetector::Workspace {
   NonMaximumSuppression suppression;
 };
 
-void OrthogonalCornerDetector::Workspace::examine(std::size_t beam,
-                                                  const Eigen::Vector2d& dominant,
+void OrthogonalCornerDetector::Workspace::examine(std::size_t beam, const Eigen::Vector2d& dominant,
                                                   const OrthogonalCornerParams& params) {
   const double range = *scan.ranges(beam);
   const Eigen::Vector2d& direction = scan.direction(beam);

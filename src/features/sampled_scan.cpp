@@ -69,8 +69,8 @@ SampledScan::RangeBin SampledScan::range_bin(double range) const {
     return static_cast<std::int32_t>(std::min(count, static_cast<double>(max_lag)));
   };
   const double middle = range + 0.5 * kBinSize;
-  const double radius = std::min(
-      params_.max_radius, params_.radius_scale * std::exp(params_.radius_growth * middle));
+  const double radius =
+      std::min(params_.max_radius, params_.radius_scale * std::exp(params_.radius_growth * middle));
   const double beams_in_radius = radius / (middle * angle_increment_);
   // Seen from the sensor, points within the radius lie within this angle. The near edge of the bin
   // gives the greatest one; the share on top covers rounding.

@@ -27,8 +27,8 @@ struct BeamBlock {
   std::int32_t steps;   ///< sampled points that may lie within the radius of any of the beams
 };
 
-/// A scan prepared for looking at the neighbourhoods of its beams: ranges smoothed, and for each beam
-/// how far and in which steps its neighbours are looked at.
+/// A scan prepared for looking at the neighbourhoods of its beams: ranges smoothed, and for each
+/// beam how far and in which steps its neighbours are looked at.
 ///
 /// Everything is computed from ranges and differences of beam numbers alone, so that it does not
 /// depend on where a closed scan starts. Single precision: a micrometre at 10 m.
@@ -44,8 +44,8 @@ class SampledScan {
   std::size_t size() const { return bin_.size(); }
   const std::vector<BeamBlock>& blocks() const { return blocks_; }
 
-  /// Smoothed ranges [m] from `beam` on; NaN where the beam is not valid. As many beams as its steps
-  /// reach, and kLanes more, can be read on either side.
+  /// Smoothed ranges [m] from `beam` on; NaN where the beam is not valid. As many beams as its
+  /// steps reach, and kLanes more, can be read on either side.
   const float* ranges(std::size_t beam) const { return smooth_.data() + margin_ + beam; }
   /// Squared radii of the neighbourhoods [m^2], from `beam` on, with kLanes to spare.
   const float* radius_squares(std::size_t beam) const { return radius_square_.data() + beam; }

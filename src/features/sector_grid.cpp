@@ -25,7 +25,9 @@ SectorGrid::SectorGrid(int count) : count_(count) {
   cells_per_unit_ = static_cast<float>(count);
   int sector = 0;
   for (int cell = 0; cell <= cells; ++cell) {  // one spare: the angle may round up to 4
-    while (static_cast<float>(cell) / cells_per_unit_ >= start_[static_cast<std::size_t>(sector) + 1]) ++sector;
+    while (static_cast<float>(cell) / cells_per_unit_ >=
+           start_[static_cast<std::size_t>(sector) + 1])
+      ++sector;
     first_.push_back(sector);
   }
 }

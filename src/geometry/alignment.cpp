@@ -56,16 +56,15 @@ std::optional<Alignment> align(const std::vector<PointPair>& pairs, double resid
   if (!(std::hypot(cosine, sine) > 0.0)) return std::nullopt;
 
   const double theta = std::atan2(sine, cosine);
-  const Eigen::Vector2d translation =
-      mean.target - Pose2(0.0, 0.0, theta).rotation() * mean.source;
+  const Eigen::Vector2d translation = mean.target - Pose2(0.0, 0.0, theta).rotation() * mean.source;
   Alignment result;
   result.target_T_source.pose = Pose2(translation, theta);
 
   double squares = 0.0;
   for (const auto& pair : pairs) {
-    squares += pair.weight * (result.target_T_source.pose * pair.point_in_source -
-                              pair.point_in_target)
-                                 .squaredNorm();
+    squares +=
+        pair.weight *
+        (result.target_T_source.pose * pair.point_in_source - pair.point_in_target).squaredNorm();
   }
   result.rms_residual = std::sqrt(squares / (2.0 * mean.weight));
   const double freedom = 2.0 * static_cast<double>(pairs.size()) - 3.0;

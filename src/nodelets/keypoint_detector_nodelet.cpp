@@ -88,9 +88,9 @@ void KeypointDetectorNodelet::look_up_mount(const std::string& laser_frame) {
                                  : "no transform from " + laser_frame + " to " + base_frame_ +
                                        ": mount of the laser unknown");
   if (!upside_down) {
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
-                                 "no transform from " << laser_frame << " to " << base_frame_
-                                                      << ": taking scan/upside_down as it is set");
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "no transform from "
+                                                     << laser_frame << " to " << base_frame_
+                                                     << ": taking scan/upside_down as it is set");
     return;
   }
   FeatureExtractorParams params = extractor_->params();

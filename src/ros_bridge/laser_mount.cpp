@@ -15,7 +15,8 @@ std::optional<bool> LaserMount::upside_down(const std::string& laser_frame) {
   const auto known = known_.find(laser_frame);
   if (known != known_.end()) return known->second;
   try {
-    const auto& q = buffer_.lookupTransform(base_frame_, laser_frame, ros::Time(0)).transform.rotation;
+    const auto& q =
+        buffer_.lookupTransform(base_frame_, laser_frame, ros::Time(0)).transform.rotation;
     // The z component of the laser's z axis in the base frame.
     const double z = 1.0 - 2.0 * (q.x * q.x + q.y * q.y);
     return known_[laser_frame] = z < 0.0;

@@ -42,7 +42,8 @@ void ScanDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status
   if (scans_ > 0 && last_.usable() && last_.count(BeamStatus::kValid) == 0) {
     status.summary(DiagnosticStatus::WARN, "no valid beam: " + describe(last_));
   } else if (scans_ > 0 && last_.angles_disagree()) {
-    status.summary(DiagnosticStatus::WARN, "angles and number of beams disagree: " + describe(last_));
+    status.summary(DiagnosticStatus::WARN,
+                   "angles and number of beams disagree: " + describe(last_));
   }
   if (scans_ > 0 && !last_.usable()) {
     status.summary(DiagnosticStatus::ERROR, "unusable scan: " + describe(last_));

@@ -28,8 +28,7 @@ std::string joined(const std::set<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-std::string scan_topic(const rosbag::Bag& bag, const std::string& path,
-                       const std::string& wanted) {
+std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted) {
   std::set<std::string> scans;
   std::set<std::string> all;
   rosbag::View view(bag);

@@ -30,11 +30,10 @@ void add_office(Scene& scene, double x, double side) {
 
 void Scene::add_box(const Pose2& world_T_center, const Eigen::Vector2d& size) {
   const Eigen::Vector2d half = 0.5 * size;
-  const Eigen::Vector2d corners[4] = {
-      world_T_center * Eigen::Vector2d(-half.x(), -half.y()),
-      world_T_center * Eigen::Vector2d(half.x(), -half.y()),
-      world_T_center * Eigen::Vector2d(half.x(), half.y()),
-      world_T_center * Eigen::Vector2d(-half.x(), half.y())};
+  const Eigen::Vector2d corners[4] = {world_T_center * Eigen::Vector2d(-half.x(), -half.y()),
+                                      world_T_center * Eigen::Vector2d(half.x(), -half.y()),
+                                      world_T_center * Eigen::Vector2d(half.x(), half.y()),
+                                      world_T_center * Eigen::Vector2d(-half.x(), half.y())};
   for (int i = 0; i < 4; ++i) walls.push_back({corners[i], corners[(i + 1) % 4]});
 }
 
@@ -78,10 +77,9 @@ std::vector<Pose2> office_path(double step) {
     const bool back = way >= straight + turn;
     const double rest = back ? way - straight - turn : way;
     const double angle = (rest - straight) / kRadius;  // on the half circle, from its start
-    const Pose2 there = rest < straight
-                            ? Pose2(rest - kHalfLength, -kRadius, 0.0)
-                            : Pose2(kHalfLength + kRadius * std::sin(angle),
-                                    -kRadius * std::cos(angle), angle);
+    const Pose2 there = rest < straight ? Pose2(rest - kHalfLength, -kRadius, 0.0)
+                                        : Pose2(kHalfLength + kRadius * std::sin(angle),
+                                                -kRadius * std::cos(angle), angle);
     path.push_back(back ? Pose2(0.0, 0.0, kPi) * there : there);
   }
   return path;

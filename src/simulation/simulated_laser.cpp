@@ -13,8 +13,8 @@ std::vector<float> simulate_ranges(const Scene& scene, const Pose2& world_T_lase
   ranges.reserve(params.beams);
   for (std::size_t i = 0; i < params.beams; ++i) {
     const double bearing = params.angle_min + static_cast<double>(i) * params.angle_increment;
-    const double range = scene.cast(world_T_laser * Pose2(0.0, 0.0, bearing)) +
-                         params.noise * noise(random);
+    const double range =
+        scene.cast(world_T_laser * Pose2(0.0, 0.0, bearing)) + params.noise * noise(random);
     ranges.push_back(range <= params.range_max ? static_cast<float>(std::max(0.0, range)) : 0.0F);
   }
   return ranges;

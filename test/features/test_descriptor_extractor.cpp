@@ -30,8 +30,9 @@ DescribedKeypoint describe_naively(const LaserScan& scan, const Keypoint& keypoi
     if (offset.norm() >= params.radius) continue;
     const int ring = static_cast<int>(offset.norm() * params.rings / params.radius);
     const double angle = std::atan2(offset.y(), offset.x());
-    const int sector = (static_cast<int>(std::floor(params.sectors / kTwoPi * angle)) +
-                        params.sectors) % params.sectors;
+    const int sector =
+        (static_cast<int>(std::floor(params.sectors / kTwoPi * angle)) + params.sectors) %
+        params.sectors;
     const auto cell = static_cast<std::size_t>(ring * params.sectors + sector);
     result.bsc.words[cell / 64] |= std::uint64_t{1} << (cell % 64);
     for (int j = 0; j < params.sectors; ++j) {

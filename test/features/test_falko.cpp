@@ -92,8 +92,7 @@ TEST(FalkoDetector, TurnsWithAClosedScan) {
   FalkoDetector detector;
   for (const std::size_t beams : {360U, 1440U}) {
     for (const double noise : {0.0, 0.01, 0.05}) {
-      const LaserScan scan =
-          test::closed_scan(scene, {-3.0, -1.0, 0.4}, beams, noise, random);
+      const LaserScan scan = test::closed_scan(scene, {-3.0, -1.0, 0.4}, beams, noise, random);
       const auto keypoints = detector.detect(scan);
       ASSERT_GT(keypoints.size(), 2U);
       for (const std::size_t by : {std::size_t{1}, beams / 3, beams / 2, beams - 1}) {
@@ -109,8 +108,7 @@ TEST(FalkoDetector, TurnsWithAClosedScan) {
           EXPECT_EQ(turned[i].roughness, keypoints[i].roughness);
           EXPECT_EQ(turned[i].radius, keypoints[i].radius);
           EXPECT_LT((back * turned[i].position - keypoints[i].position).norm(), 1e-9);
-          EXPECT_NEAR(angle_between(turned[i].orientation + back.theta(),
-                                    keypoints[i].orientation),
+          EXPECT_NEAR(angle_between(turned[i].orientation + back.theta(), keypoints[i].orientation),
                       0.0, 1e-9);
         }
       }

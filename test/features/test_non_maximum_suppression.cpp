@@ -23,9 +23,9 @@ CornerCandidate candidate(double x, double y, float rank, std::size_t beam) {
 
 TEST(NonMaximumSuppression, KeepsTheBestOfNeighbors) {
   NonMaximumSuppression suppress;
-  const auto& kept = suppress({candidate(0.0, 0.0, 0.5F, 1), candidate(0.15, 0.0, 0.2F, 2),
-                               candidate(1.0, 0.0, 0.9F, 3)},
-                              0.2, 0.0);
+  const auto& kept = suppress(
+      {candidate(0.0, 0.0, 0.5F, 1), candidate(0.15, 0.0, 0.2F, 2), candidate(1.0, 0.0, 0.9F, 3)},
+      0.2, 0.0);
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].index, 1U);
   EXPECT_EQ(kept[1].index, 2U);
@@ -33,9 +33,9 @@ TEST(NonMaximumSuppression, KeepsTheBestOfNeighbors) {
 
 TEST(NonMaximumSuppression, WhatIsSuppressedSuppressesNothing) {
   NonMaximumSuppression suppress;
-  const auto& kept = suppress({candidate(0.0, 0.0, 0.1F, 1), candidate(0.15, 0.0, 0.2F, 2),
-                               candidate(0.30, 0.0, 0.3F, 3)},
-                              0.2, 0.0);
+  const auto& kept = suppress(
+      {candidate(0.0, 0.0, 0.1F, 1), candidate(0.15, 0.0, 0.2F, 2), candidate(0.30, 0.0, 0.3F, 3)},
+      0.2, 0.0);
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_EQ(kept[0].index, 0U);
   EXPECT_EQ(kept[1].index, 2U);
@@ -64,8 +64,8 @@ TEST(NonMaximumSuppression, BreaksTiesByWhatTurnsWithTheScan) {
   near.range = 1.0;
   CornerCandidate far = candidate(0.1, 0.0, 0.5F, 2);
   far.range = 2.0;
-  for (const auto& order : {std::vector<CornerCandidate>{near, far},
-                            std::vector<CornerCandidate>{far, near}}) {
+  for (const auto& order :
+       {std::vector<CornerCandidate>{near, far}, std::vector<CornerCandidate>{far, near}}) {
     const auto& kept = suppress(order, 0.2, 0.0);
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_EQ(order[kept[0].index].range, 1.0);

@@ -84,9 +84,8 @@ TEST(FitLine, CovarianceIsHonest) {
           covariance(0, 1) *= -1.0;
           covariance(1, 0) *= -1.0;
         }
-        const Eigen::Vector2d error(
-            angle_between(angle, std::atan2(normal.y(), normal.x())),
-            sign * fit->line.offset - line.offset);
+        const Eigen::Vector2d error(angle_between(angle, std::atan2(normal.y(), normal.x())),
+                                    sign * fit->line.offset - line.offset);
         (noise > 0.0 ? known : estimated) += error.dot(covariance.inverse() * error) / kRuns;
       }
     }

@@ -22,7 +22,8 @@ void expect_near(const Pose2& a, const Pose2& b, double tolerance) {
 // Poses with every nasty heading, and random ones.
 std::vector<Pose2> poses() {
   std::vector<Pose2> list;
-  for (const double theta : {0.0, 1e-9, -1e-9, 1e-5, kPi, -kPi, kPi - 1e-9, -kPi + 1e-9, 3.0 * kPi}) {
+  for (const double theta :
+       {0.0, 1e-9, -1e-9, 1e-5, kPi, -kPi, kPi - 1e-9, -kPi + 1e-9, 3.0 * kPi}) {
     list.emplace_back(1.5, -0.7, theta);
   }
   auto random = test::seeded_random();

@@ -55,9 +55,9 @@ TEST_F(CarmenLog, ReadsFlaser) {
 }
 
 TEST_F(CarmenLog, ResolutionFollowsTheNumberOfBeams) {
-  for (const auto& [beams, degrees] : {std::make_pair(180, 1.0), std::make_pair(181, 1.0),
-                                       std::make_pair(360, 0.5), std::make_pair(361, 0.5),
-                                       std::make_pair(90, 2.0), std::make_pair(91, 2.0)}) {
+  for (const auto& [beams, degrees] :
+       {std::make_pair(180, 1.0), std::make_pair(181, 1.0), std::make_pair(360, 0.5),
+        std::make_pair(361, 0.5), std::make_pair(90, 2.0), std::make_pair(91, 2.0)}) {
     const auto records = read(flaser(beams, kPoses));
     EXPECT_NEAR(std::get<CarmenScan>(records.at(0)).angle_increment, degrees_to_radians(degrees),
                 1e-12)
@@ -106,8 +106,8 @@ TEST_F(CarmenLog, ReadsPackedFiles) {
 }
 
 TEST_F(CarmenLog, KeepsFileOrderAndCountsBackwardStamps) {
-  const auto records = read(
-      "ODOM 1 0 0 0 0 0 12.0 h 0\nODOM 2 0 0 0 0 0 11.0 h 0\nODOM 3 0 0 0 0 0 13.0 h 0\n");
+  const auto records =
+      read("ODOM 1 0 0 0 0 0 12.0 h 0\nODOM 2 0 0 0 0 0 11.0 h 0\nODOM 3 0 0 0 0 0 13.0 h 0\n");
   ASSERT_EQ(records.size(), 3U);
   EXPECT_NEAR(std::get<CarmenOdometry>(records[1]).odom_T_robot.x(), 2.0, 1e-12);
   EXPECT_EQ(report_.backward_stamps, 1U);
@@ -117,14 +117,14 @@ TEST_F(CarmenLog, KeepsFileOrderAndCountsBackwardStamps) {
 TEST_F(CarmenLog, LeavesOutMalformedLinesAndNamesThem) {
   const auto records = read(
       "# comment\n"
-      "FLASER 3 1.0 2.0\n"                              // cut short
-      "FLASER 3 1.0 x 2.0 0 0 0 0 0 0 1.0 h 1\n"        // not a number
-      "FLASER -3 1.0\n"                                 // no count
-      "FLASER 99999999999 1.0\n"                        // no such laser
-      "FLASER 2.5 1.0 1.0\n"                            // half a beam
-      "ODOM 1 2 nan 0 0 0 1.0 h 1\n"                    // not finite
-      "ODOM 1 2 0 0 0 0 1e300 h 1\n"                    // no such time
-      "FLASER\n"                                        // a word alone
+      "FLASER 3 1.0 2.0\n"                        // cut short
+      "FLASER 3 1.0 x 2.0 0 0 0 0 0 0 1.0 h 1\n"  // not a number
+      "FLASER -3 1.0\n"                           // no count
+      "FLASER 99999999999 1.0\n"                  // no such laser
+      "FLASER 2.5 1.0 1.0\n"                      // half a beam
+      "ODOM 1 2 nan 0 0 0 1.0 h 1\n"              // not finite
+      "ODOM 1 2 0 0 0 0 1e300 h 1\n"              // no such time
+      "FLASER\n"                                  // a word alone
       "ODOM 1 2 0 0 0 0 1.0 h 1\n");
   EXPECT_EQ(records.size(), 1U);
   EXPECT_EQ(report_.malformed_lines, (std::vector<std::size_t>{2, 3, 4, 5, 6, 7, 8}));

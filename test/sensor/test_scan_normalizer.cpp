@@ -78,7 +78,8 @@ TEST(Normalize, TypesEveryKindOfInvalidRange) {
       BeamStatus::kValid,     BeamStatus::kValid,    BeamStatus::kTooFar};
   // 0.05F is a little above the double 0.05 and counts as valid.
   EXPECT_EQ(scan.status, expected);
-  for (std::size_t i = 0; i < scan.size(); ++i) EXPECT_EQ(std::isnan(scan.ranges[i]), !scan.valid(i));
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    EXPECT_EQ(std::isnan(scan.ranges[i]), !scan.valid(i));
   EXPECT_EQ(report.count(BeamStatus::kValid), 2U);
   EXPECT_EQ(report.count(BeamStatus::kTooNear), 3U);
 }
@@ -260,9 +261,9 @@ TEST(Normalize, WithoutAnyTimesAllBeamsAreOfOneInstant) {
 TEST(Normalize, PutsTheStampOnTheBeamItIsToldTo) {
   Message message({1.0F, 2.0F, 3.0F});
   using StampAt = ScanNormalizerParams::StampAt;
-  for (const auto& [stamp_at, beam] : {std::make_pair(StampAt::kFirstBeam, 0U),
-                                       std::make_pair(StampAt::kMiddleBeam, 1U),
-                                       std::make_pair(StampAt::kLastBeam, 2U)}) {
+  for (const auto& [stamp_at, beam] :
+       {std::make_pair(StampAt::kFirstBeam, 0U), std::make_pair(StampAt::kMiddleBeam, 1U),
+        std::make_pair(StampAt::kLastBeam, 2U)}) {
     ScanNormalizerParams params;
     params.stamp_at = stamp_at;
     LaserScan scan;

@@ -40,9 +40,10 @@ TEST(DescribeScanReport, TellsWhatWasMended) {
   report.angle_max_excess = -2.0;
   report.angle_increment_derived = true;
   report.missing_intensities = 7;
-  EXPECT_EQ(describe(report),
-            "1441 beams: 1440 valid; 1 beyond a full turn dropped; angle_max is 2.0 beams before the "
-            "last one; angle_increment taken from angle_max; 7 intensities missing");
+  EXPECT_EQ(
+      describe(report),
+      "1441 beams: 1440 valid; 1 beyond a full turn dropped; angle_max is 2.0 beams before the "
+      "last one; angle_increment taken from angle_max; 7 intensities missing");
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ struct PrecisionRecall {
   double recall;
 };
 
-/// Precision and recall of "the descriptors are nearer than a threshold", for thresholds spread over
-/// all distances (\cite kallasi2017, Fig. 3.9): at most `points` of them, in ascending order.
+/// Precision and recall of "the descriptors are nearer than a threshold", for thresholds spread
+/// over all distances (\cite kallasi2017, Fig. 3.9): at most `points` of them, in ascending order.
 /// Recall counts against all pairs that are the same point. Empty without any such pair.
 std::vector<PrecisionRecall> precision_recall_curve(std::vector<DescriptorPair> pairs,
                                                     std::size_t points);

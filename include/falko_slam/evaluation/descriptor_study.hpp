@@ -22,7 +22,7 @@ struct DescriptorCurves {
 };
 
 struct DescriptorStudyParams {
-  double min_overlap = 0.5;       ///< of the scan pairs of the viewpoint curve
+  double min_overlap = 0.5;  ///< of the scan pairs of the viewpoint curve
   double max_overlap = 0.9;
   std::size_t curve_points = 50;
 };

@@ -18,9 +18,9 @@ struct LiteralFalkoParams {
   double refinement_limit = 0.20;    ///< [m]
 };
 
-/// FALKO written down as \cite kallasi2017, section 3.1, reads: every point against every other, the
-/// score summed over all pairs, corner orientation from the centroids. Slow and plain, to compare
-/// `FalkoDetector` with.
+/// FALKO written down as \cite kallasi2017, section 3.1, reads: every point against every other,
+/// the score summed over all pairs, corner orientation from the centroids. Slow and plain, to
+/// compare `FalkoDetector` with.
 ///
 /// The text leaves open what the sectors are counted from (here: the direction of the beam) and how
 /// suppression proceeds (here: greedily, by the distance of the points before refinement).

@@ -13,10 +13,10 @@ namespace falko_slam {
 
 /// Values of \cite kallasi2017, section 3.3.2.
 struct DescriptorParams {
-  double radius = 0.5;       ///< of the described neighbourhood [m]. [0.05, 10]
-  int rings = 8;             ///< r_n: rings of BSC. [1, 64]
-  int sectors = 16;          ///< alpha_n: sectors of BSC and bins of CGH. [4, 256]
-  double cgh_sigma = 0.6;    ///< standard deviation of a neighbour's direction [bins]. [0.01, 8]
+  double radius = 0.5;     ///< of the described neighbourhood [m]. [0.05, 10]
+  int rings = 8;           ///< r_n: rings of BSC. [1, 64]
+  int sectors = 16;        ///< alpha_n: sectors of BSC and bins of CGH. [4, 256]
+  double cgh_sigma = 0.6;  ///< standard deviation of a neighbour's direction [bins]. [0.01, 8]
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const DescriptorParams& params);
@@ -42,7 +42,8 @@ class DescriptorExtractor {
   /// Replaces `features` by the keypoints with their descriptors, in the same order.
   void extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints,
                std::vector<DescribedKeypoint>& features);
-  std::vector<DescribedKeypoint> extract(const LaserScan& scan, const std::vector<Keypoint>& keypoints);
+  std::vector<DescribedKeypoint> extract(const LaserScan& scan,
+                                         const std::vector<Keypoint>& keypoints);
 
   const DescriptorParams& params() const { return params_; }
 

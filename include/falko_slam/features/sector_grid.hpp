@@ -60,8 +60,8 @@ class SectorHistogram {
     if (points_[static_cast<std::size_t>(sector)]++ == 0) occupied_.push_back(sector);
   }
 
-  /// Sum over all pairs of points of |d_theta|, Eqs. (3.8)-(3.9). Computed from the counts: the cost
-  /// grows with the number of occupied sectors, not with that of the points.
+  /// Sum over all pairs of points of |d_theta|, Eqs. (3.8)-(3.9). Computed from the counts: the
+  /// cost grows with the number of occupied sectors, not with that of the points.
   long pairwise_distance() const;
 
  private:

@@ -15,7 +15,8 @@ namespace falko_slam {
 ///
 /// Lengths are metres, the heading is in radians in [-pi, pi). Tangent vectors are (x, y, theta);
 /// `exp` and `log` are the exponential map of the group and its inverse (\cite sola2018micro,
-/// Eqs. (156)-(158)), `adjoint` takes a tangent vector of the local to the global frame (Eq. (159)).
+/// Eqs. (156)-(158)), `adjoint` takes a tangent vector of the local to the global frame (Eq.
+/// (159)).
 class Pose2 {
  public:
   Pose2() = default;

@@ -17,11 +17,10 @@ struct CarmenBagParams {
 /// Converts a CARMEN log to a ROS bag and returns what was read and written, in words.
 ///
 /// Topics: `scan`, `odom` (pose of base_frame in odom_frame with every scan and every ODOM line),
-/// `tf` (the same, odom_frame -> base_frame), `tf_static` (base_frame -> laser_frame, from the first
-/// scan) and, of corrected logs, `ground_truth` (pose of base_frame in map_frame).
-/// Messages keep the order of the log and their own stamps, also where these run backward; the times
-/// at which the bag plays them never do.
-/// Throws std::runtime_error that names the file.
+/// `tf` (the same, odom_frame -> base_frame), `tf_static` (base_frame -> laser_frame, from the
+/// first scan) and, of corrected logs, `ground_truth` (pose of base_frame in map_frame). Messages
+/// keep the order of the log and their own stamps, also where these run backward; the times at
+/// which the bag plays them never do. Throws std::runtime_error that names the file.
 std::string convert_carmen_log(const std::string& log, const std::string& bag,
                                const CarmenBagParams& params);
 

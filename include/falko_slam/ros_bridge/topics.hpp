@@ -6,14 +6,14 @@ namespace falko_slam {
 namespace topics {
 
 // Names before remapping, relative to the node's namespace.
-constexpr char kScan[] = "scan";                      ///< sensor_msgs/LaserScan
-constexpr char kOdometry[] = "odom";                  ///< nav_msgs/Odometry
-constexpr char kTf[] = "tf";                          ///< tf2_msgs/TFMessage
-constexpr char kTfStatic[] = "tf_static";             ///< tf2_msgs/TFMessage, latched
-constexpr char kGroundTruth[] = "ground_truth";       ///< geometry_msgs/PoseStamped
-constexpr char kFeatures[] = "features";              ///< falko_slam/FeatureArray
+constexpr char kScan[] = "scan";                       ///< sensor_msgs/LaserScan
+constexpr char kOdometry[] = "odom";                   ///< nav_msgs/Odometry
+constexpr char kTf[] = "tf";                           ///< tf2_msgs/TFMessage
+constexpr char kTfStatic[] = "tf_static";              ///< tf2_msgs/TFMessage, latched
+constexpr char kGroundTruth[] = "ground_truth";        ///< geometry_msgs/PoseStamped
+constexpr char kFeatures[] = "features";               ///< falko_slam/FeatureArray
 constexpr char kFeatureMarkers[] = "feature_markers";  ///< visualization_msgs/MarkerArray
-constexpr char kKeypointCloud[] = "keypoint_cloud";   ///< sensor_msgs/PointCloud2
+constexpr char kKeypointCloud[] = "keypoint_cloud";    ///< sensor_msgs/PointCloud2
 
 }  // namespace topics
 }  // namespace falko_slam

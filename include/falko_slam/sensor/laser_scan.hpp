@@ -29,16 +29,16 @@ constexpr std::size_t kBeamStatusCount = 6;
 /// bearing: `angle_increment` is positive. On a closed scan the last beam is the neighbour of the
 /// first one. `ranges`, `status` and, unless it is empty, `intensities` have one entry per beam.
 struct LaserScan {
-  Time first_beam_time{};           ///< when beam 0 was taken
-  Duration time_increment{};        ///< between beam i and i + 1; negative if measured clockwise
-  double angle_min = 0.0;           ///< bearing of beam 0 [rad]
-  double angle_increment = 0.0;     ///< [rad], positive; 0 for a single beam without one
-  double range_max = 0.0;           ///< [m]; 1e5 where the sensor does not tell
-  bool closed = false;              ///< covers the full circle
-  bool reversed = false;            ///< beam i is beam size() - 1 - i of the message
-  std::vector<double> ranges;       ///< [m], NaN unless the beam is valid
-  std::vector<BeamStatus> status;   ///< why a range is NaN
-  std::vector<float> intensities;   ///< sensor units, NaN where missing; empty if there are none
+  Time first_beam_time{};          ///< when beam 0 was taken
+  Duration time_increment{};       ///< between beam i and i + 1; negative if measured clockwise
+  double angle_min = 0.0;          ///< bearing of beam 0 [rad]
+  double angle_increment = 0.0;    ///< [rad], positive; 0 for a single beam without one
+  double range_max = 0.0;          ///< [m]; 1e5 where the sensor does not tell
+  bool closed = false;             ///< covers the full circle
+  bool reversed = false;           ///< beam i is beam size() - 1 - i of the message
+  std::vector<double> ranges;      ///< [m], NaN unless the beam is valid
+  std::vector<BeamStatus> status;  ///< why a range is NaN
+  std::vector<float> intensities;  ///< sensor units, NaN where missing; empty if there are none
 
   std::size_t size() const { return ranges.size(); }
   bool valid(std::size_t beam) const { return status[beam] == BeamStatus::kValid; }

@@ -16,10 +16,10 @@ enum class ScanFault { kNone, kNoBeams, kBadAngles };
 /// What became of the beams of one scan: nothing is dropped without being counted here.
 struct ScanReport {
   ScanFault fault = ScanFault::kNone;
-  std::size_t beam_count = 0;                               ///< as delivered
+  std::size_t beam_count = 0;                                ///< as delivered
   std::array<std::size_t, kBeamStatusCount> status_count{};  ///< of the beams kept, by BeamStatus
-  std::size_t surplus_beams = 0;        ///< dropped because they repeat bearings of a full turn
-  double angle_max_excess = 0.0;        ///< stated minus actual bearing of the last beam, in beams
+  std::size_t surplus_beams = 0;         ///< dropped because they repeat bearings of a full turn
+  double angle_max_excess = 0.0;         ///< stated minus actual bearing of the last beam, in beams
   bool angle_increment_derived = false;  ///< from angle_min and angle_max: the stated one was 0
   bool time_increment_derived = false;   ///< from scan_time: the stated one was not positive
   std::size_t missing_intensities = 0;   ///< filled with NaN: the array was short, but not empty

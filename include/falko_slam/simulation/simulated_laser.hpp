@@ -14,10 +14,10 @@ namespace falko_slam {
 /// Default: the geometry of a SICK NAV350.
 struct SimulatedLaserParams {
   std::size_t beams = 1440;
-  double angle_min = -kPi;                     ///< [rad]
-  double angle_increment = kTwoPi / 1440.0;    ///< [rad]
-  double range_max = 100.0;                    ///< [m]
-  double noise = 0.01;                         ///< standard deviation of a range [m]
+  double angle_min = -kPi;                   ///< [rad]
+  double angle_increment = kTwoPi / 1440.0;  ///< [rad]
+  double range_max = 100.0;                  ///< [m]
+  double noise = 0.01;                       ///< standard deviation of a range [m]
 };
 
 /// Ranges [m] seen from the pose, all beams at one instant; 0 where nothing is within range_max.
