@@ -24,17 +24,21 @@ class BagFile {
   BagFile& operator=(const BagFile&) = delete;
 
   /// Bags are read in the order of their times: a message with an earlier time than the one before
-  /// it gets that one's time.
+  /// it gets that one's time. Topics are written with their whole names, as recorders do.
   template <class Message>
   void write(const std::string& topic, Time time, const Message& message) {
-    bag_.write(topic, next_time(time), message);
+    bag_.write("/" + topic, next_time(time), message);
   }
   /// For messages of all times, such as static transforms.
   template <class Message>
   void write_latched(const std::string& topic, Time time, const Message& message) {
+    namespace traits = ros::message_traits;
     const auto header = boost::make_shared<ros::M_string>();
+    (*header)["type"] = traits::datatype(message);
+    (*header)["md5sum"] = traits::md5sum(message);
+    (*header)["message_definition"] = traits::definition(message);
     (*header)["latching"] = "1";
-    bag_.write(topic, next_time(time), message, header);
+    bag_.write("/" + topic, next_time(time), message, header);
   }
 
   void finish();
