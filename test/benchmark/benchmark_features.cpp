@@ -1,0 +1,142 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Time per scan of the detectors and descriptors, on the scans of fr079 (360 beams over 180
+// degrees) and their linear interpolations.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include "falko_slam/evaluation/posed_scan.hpp"
+#include "falko_slam/evaluation/scan_perturbation.hpp"
+#include "falko_slam/features/descriptor_extractor.hpp"
+#include "falko_slam/features/falko.hpp"
+#include "falko_slam/features/orthogonal_corner.hpp"
+#include "falko_slam/simulation/simulated_laser.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr int kBeams = 360;  // of the recording; simulated scans have as many
+
+std::vector<LaserScan> simulated_scans() {
+  std::mt19937_64 random(1);
+  SimulatedLaserParams laser;
+  laser.beams = kBeams;
+  laser.angle_min = -0.5 * kPi;
+  laser.angle_increment = kPi / static_cast<double>(kBeams);
+  std::vector<LaserScan> scans;
+  for (const Pose2& pose : office_path(0.1)) {
+    const std::vector<float> ranges = simulate_ranges(office_scene(), pose, laser, random);
+    RawScan raw;
+    raw.angle_min = laser.angle_min;
+    raw.angle_increment = laser.angle_increment;
+    raw.angle_max = laser.angle_min + (kBeams - 1) * laser.angle_increment;
+    raw.range_max = laser.range_max;
+    raw.ranges = ranges.data();
+    raw.range_count = ranges.size();
+    normalize(raw, {}, scans.emplace_back());
+  }
+  return scans;
+}
+
+std::vector<LaserScan> recorded_scans() {
+  const char* folder = std::getenv("FALKO_SLAM_DATA");
+  const std::string log = std::string(folder == nullptr ? "." : folder) + "/benchmark/fr079.log.gz";
+  if (!std::ifstream(log)) {
+    std::cerr << "no $FALKO_SLAM_DATA/benchmark/fr079.log.gz: simulated scans instead\n";
+    return simulated_scans();
+  }
+  CarmenReport report;
+  std::vector<LaserScan> scans;
+  for (PosedScan& posed : load_posed_scans(log, report)) scans.push_back(std::move(posed.scan));
+  std::cerr << log << ": " << describe(report) << "\n";
+  return scans;
+}
+
+// The scans with about `beams` beams: those left out or interpolated between the recorded ones.
+const std::vector<LaserScan>& scans_of(int beams) {
+  static const std::vector<LaserScan> recorded = recorded_scans();
+  static std::map<int, std::vector<LaserScan>> known;
+  std::vector<LaserScan>& scans = known[beams];
+  if (!scans.empty()) return scans;
+  for (const LaserScan& scan : recorded) {
+    scans.push_back(beams < kBeams
+                        ? subsampled(scan, static_cast<std::size_t>(kBeams / beams - 1))
+                        : oversampled(scan, static_cast<std::size_t>(beams / kBeams - 1)));
+  }
+  return scans;
+}
+
+// Runs `work` on one scan after the other; the time of an iteration is that of a scan.
+template <class Work>
+void for_each_scan(benchmark::State& state, std::size_t count, Work work) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    work(i);
+    if (++i == count) i = 0;
+  }
+}
+
+void set_counters(benchmark::State& state, std::size_t keypoints) {
+  state.counters["keypoints"] =
+      benchmark::Counter(static_cast<double>(keypoints), benchmark::Counter::kAvgIterations);
+  state.counters["per_beam"] = benchmark::Counter(
+      static_cast<double>(state.range(0)) * static_cast<double>(state.iterations()),
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+template <class Detector>
+void detect(benchmark::State& state) {
+  const auto& scans = scans_of(static_cast<int>(state.range(0)));
+  Detector detector;
+  std::vector<Keypoint> keypoints;
+  std::size_t found = 0;
+  for_each_scan(state, scans.size(), [&](std::size_t i) {
+    detector.detect(scans[i], keypoints);
+    found += keypoints.size();
+  });
+  set_counters(state, found);
+}
+
+void describe_keypoints(benchmark::State& state) {
+  const auto& scans = scans_of(static_cast<int>(state.range(0)));
+  FalkoDetector detector;
+  std::vector<std::vector<Keypoint>> keypoints;
+  for (const LaserScan& scan : scans) keypoints.push_back(detector.detect(scan));
+  DescriptorExtractor extractor;
+  std::vector<DescribedKeypoint> features;
+  std::size_t described = 0;
+  for_each_scan(state, scans.size(), [&](std::size_t i) {
+    extractor.extract(scans[i], keypoints[i], features);
+    described += features.size();
+  });
+  set_counters(state, described);
+}
+
+BENCHMARK_TEMPLATE(detect, FalkoDetector)
+    ->Name("FALKO")
+    ->Arg(180)
+    ->Arg(360)
+    ->Arg(720)
+    ->Arg(1440)
+    ->Arg(2880)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_TEMPLATE(detect, OrthogonalCornerDetector)
+    ->Name("OC")
+    ->Arg(360)
+    ->Arg(1440)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(describe_keypoints)
+    ->Name("BSC and CGH")
+    ->Arg(360)
+    ->Arg(1440)
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace falko_slam
+
+BENCHMARK_MAIN();
