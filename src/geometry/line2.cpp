@@ -9,7 +9,7 @@ namespace falko_slam {
 
 std::optional<LineFit> fit_line(const std::vector<Eigen::Vector2d>& points, double point_noise) {
   if (points.size() < 2) return std::nullopt;
-  const Eigen::Vector2d origin = points.front();
+  const Eigen::Vector2d& origin = points.front();
   LineMoments moments;
   for (const auto& point : points) moments.add(point.x() - origin.x(), point.y() - origin.y());
   const LineMoments::Fit fit = moments.fit();

@@ -62,7 +62,8 @@ FeatureArray to_message(const FeatureExtractor& extractor, const std_msgs::Heade
     to.roughness = from.keypoint.roughness;
     to.index = static_cast<std::uint32_t>(scan.message_index(from.keypoint.beam));
     to.time_offset = to_ros(scan.beam_time(from.keypoint.beam) - stamp);
-    to.bsc = to_bytes(from.bsc, static_cast<std::size_t>(grid.rings * grid.sectors));
+    to.bsc = to_bytes(
+        from.bsc, static_cast<std::size_t>(grid.rings) * static_cast<std::size_t>(grid.sectors));
     to.cgh = from.cgh.bins;
   }
   return message;

@@ -109,7 +109,7 @@ std::vector<std::string> ParameterReader::unknown(const std::set<std::string>& i
     } else if (value.getType() == XmlRpcValue::TypeStruct) {
       for (auto& [inner, unused] : value) {
         (void)unused;
-        const std::string inner_name = name + "/" + inner;
+        const std::string inner_name = std::string(name).append("/").append(inner);
         if (known_.count(inner_name) == 0) names.push_back(name_ + "/" + inner_name);
       }
     }

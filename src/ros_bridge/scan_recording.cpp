@@ -69,7 +69,7 @@ std::string read_log(const std::string& path, const std::function<void(const Raw
   while (const auto record = reader.next()) {
     if (const auto* scan = std::get_if<CarmenScan>(&*record)) use(scan->raw());
   }
-  const std::string read = describe(reader.report());
+  std::string read = describe(reader.report());
   if (reader.report().scans == 0) throw std::runtime_error(path + ": no laser scan in " + read);
   return read;
 }

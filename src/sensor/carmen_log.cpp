@@ -29,7 +29,7 @@ RawScan CarmenScan::raw() const {
   raw.stamp = stamp;
   raw.angle_min = angle_min;
   raw.angle_increment = angle_increment;
-  const double beams = static_cast<double>(ranges.size());
+  const auto beams = static_cast<double>(ranges.size());
   raw.angle_max = angle_min + (beams - 1.0) * angle_increment;
   // In these files a reading of range_max itself already means that nothing returned.
   raw.range_max = std::nextafter(static_cast<float>(range_max), 0.0F);

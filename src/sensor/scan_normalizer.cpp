@@ -58,7 +58,7 @@ bool plausible_time(double seconds) { return seconds > 0.0 && seconds < kMaxScan
 
 // A rotating mirror passes the whole circle in scan_time, the blind sector included.
 double time_increment(const RawScan& raw, double angle_increment, ScanReport& report) {
-  const double beams = static_cast<double>(raw.range_count);
+  const auto beams = static_cast<double>(raw.range_count);
   if (plausible_time(raw.time_increment * beams)) return raw.time_increment;
   if (!plausible_time(raw.scan_time)) return 0.0;
   report.time_increment_derived = true;
@@ -130,7 +130,7 @@ ScanReport normalize(const RawScan& raw, const ScanNormalizerParams& params, Las
 
   const std::size_t turn = beams_of_a_turn(increment);
   const std::size_t beams = std::min(raw.range_count, turn);
-  const double last_beam = static_cast<double>(beams - 1);
+  const auto last_beam = static_cast<double>(beams - 1);
   report.surplus_beams = raw.range_count - beams;
   if (increment != 0.0) {
     const double last = raw.angle_min + static_cast<double>(raw.range_count - 1) * increment;

@@ -14,7 +14,7 @@ namespace falko_slam {
 struct FalkoParams {
   NeighborhoodParams neighborhood;
   /// beta: base and height of the corner's triangle must reach radius / beta. Greater values admit
-  /// wider and sharper corners. [2, 20]
+  /// wider and sharper corners. [1, 100]
   double triangle_ratio = 4.0;
   /// s_n: sectors of the polar grid of the score. [4, 1024]
   int sectors = 16;
