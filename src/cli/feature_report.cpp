@@ -140,7 +140,7 @@ void print_descriptors(const FeatureEvaluation& evaluation) {
   for (const DescriptorCurves& curves : evaluation.descriptors) {
     for (const auto& [name, curve] :
          {std::make_pair("BSC", &curves.bsc), std::make_pair("CGH", &curves.cgh)}) {
-      std::printf("  %-12s%s ", curves.condition.c_str(), name);
+      std::printf("  %-12s %s", curves.condition.c_str(), name);
       for (const double share : kShares) std::printf("  %.2f", recall_at(*curve, share));
       std::printf("\n");
     }

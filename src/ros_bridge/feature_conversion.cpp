@@ -71,11 +71,11 @@ FeatureArray to_message(const FeatureExtractor& extractor, const std_msgs::Heade
 
 visualization_msgs::MarkerArray to_markers(const FeatureArray& features) {
   auto points =
-      list_marker(features.header, "keypoints", visualization_msgs::Marker::SPHERE_LIST, 0.12);
+      list_marker(features.header, "keypoints", visualization_msgs::Marker::SPHERE_LIST, 0.2);
   points.color.r = 1.0F;
   points.color.g = 0.5F;
   auto axes =
-      list_marker(features.header, "orientations", visualization_msgs::Marker::LINE_LIST, 0.03);
+      list_marker(features.header, "orientations", visualization_msgs::Marker::LINE_LIST, 0.05);
   axes.color.b = 1.0F;
   axes.color.g = 0.6F;
   for (const auto& feature : features.features) {
