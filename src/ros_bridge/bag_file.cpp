@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -51,11 +52,10 @@ void BagFile::close() {
 
 ros::Time BagFile::next_time(Time time) {
   const ros::Time wanted = to_ros(time);
-  if (wanted < last_) {
-    ++moved_times_;
-  } else {
-    last_ = wanted;
-  }
+  if (wanted < latest_) ++moved_times_;
+  latest_ = std::max(latest_, wanted);
+  const ros::Time next = last_ < ros::TIME_MAX ? last_ + ros::Duration(0, 1) : last_;
+  last_ = std::max(wanted, next);
   return last_;
 }
 

@@ -24,8 +24,9 @@ class BagFile {
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
-  /// Bags are read in the order of their times: a message with an earlier time than the one before
-  /// it gets that one's time. Topics are written with their whole names, as recorders do.
+  /// Bags are read in the order of their times, and messages of one time in any order: a message
+  /// that is not later than the one before it is moved to the nanosecond after that. Topics are
+  /// written with their whole names, as recorders do.
   template <class Message>
   void write(const std::string& topic, Time time, const Message& message) {
     report_failure([&] { bag_->write("/" + topic, next_time(time), message); });
@@ -45,6 +46,7 @@ class BagFile {
   /// Throws std::runtime_error with the name, as writing does, if there is no more space.
   void finish();
 
+  /// Messages earlier than one before them.
   std::size_t moved_times() const { return moved_times_; }
 
  private:
@@ -63,7 +65,8 @@ class BagFile {
   std::string path_;
   std::string temporary_;
   std::unique_ptr<rosbag::Bag> bag_;
-  ros::Time last_ = ros::TIME_MIN;
+  ros::Time latest_ = ros::TIME_MIN;  // asked for
+  ros::Time last_;                    // written
   std::size_t moved_times_ = 0;
   bool finished_ = false;
 };
