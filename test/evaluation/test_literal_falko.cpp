@@ -45,6 +45,14 @@ TEST(LiteralFalko, CountsSectorsByHand) {
   EXPECT_NEAR(keypoints[0].radius, 0.2 * std::exp(0.07), 1e-12);
 }
 
+TEST(LiteralFalko, CountsSectorsFromTheBeam) {
+  for (const double angle : {0.2, 1.0, 3.0}) {
+    const auto keypoints = literal_falko(with_start_angle_turned(small_corner(1.02), angle));
+    ASSERT_EQ(keypoints.size(), 1U) << angle;
+    EXPECT_EQ(keypoints[0].score, 4.0) << angle;
+  }
+}
+
 TEST(LiteralFalko, SidesInOneSectorEachScoreZero) {
   // The near points lie at atan2(0.053, 0.059) = 0.734 rad: sector 1, as the far ones.
   const auto keypoints = literal_falko(small_corner(1.06));
