@@ -3,6 +3,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <sstream>
+#include <string>
 
 namespace falko_slam {
 namespace cli {
@@ -13,6 +15,19 @@ void add_detect(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_parameters(CLI::App& app);
 void add_simulate(CLI::App& app);
+
+/// A check of an option's value, as CLI::Range, which lets nan pass.
+inline CLI::Validator number_in(double min, double max) {
+  std::ostringstream range;
+  range << "in [" << min << ", " << max << "]";
+  const auto check = [min, max, wanted = range.str()](const std::string& text) {
+    std::istringstream in(text);
+    double value = 0.0;
+    const bool good = in >> value && in.eof() && value >= min && value <= max;
+    return good ? std::string() : text + ": must be a number " + wanted;
+  };
+  return CLI::Validator(check, range.str());
+}
 
 }  // namespace cli
 }  // namespace falko_slam

@@ -45,14 +45,18 @@ void add_features(CLI::App& evaluate) {
       ->required();
   verb->add_option("--json", options->json, "write all figures; scripts/plot_features draws them");
   verb->add_option("--references", conditions.reference_scans,
-                   "reference scans drawn at random, default 100");
-  verb->add_option("--seed", conditions.seed, "default 1");
+                   "reference scans drawn at random, default 100")
+      ->check(CLI::Range(1, 1000000));
+  verb->add_option("--seed", conditions.seed, "default 1")->check(CLI::NonNegativeNumber);
   verb->add_option("--association-radius", conditions.association_radius,
-                   "keypoints nearer than this are the same [m], default 0.1");
+                   "keypoints nearer than this are the same [m], default 0.1")
+      ->check(number_in(0.001, 10.0));
   verb->add_option("--viewpoint-distance", conditions.viewpoint_distance,
-                   "scans nearer than this are compared [m], default 1");
+                   "scans nearer than this are compared [m], default 1")
+      ->check(number_in(0.001, 1000.0));
   verb->add_option("--map-separation", options->params.map_separation,
-                   "d_min of Table 3.1 [m], default 0.2");
+                   "d_min of Table 3.1 [m], default 0.2")
+      ->check(number_in(0.0, 100.0));
   verb->add_option("--map-orders", options->params.map_orders,
                    "random orders of the scans that Table 3.1 is averaged over, default 10")
       ->check(CLI::Range(1, 1000));

@@ -10,7 +10,7 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App app("falko_slam on recorded data, faster than real time");
   app.name("falko");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // none is looked at below: here it would hide a misspelt one
   falko_slam::cli::add_convert(app);
   falko_slam::cli::add_detect(app);
   falko_slam::cli::add_evaluate(app);
@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
   falko_slam::cli::add_simulate(app);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) throw CLI::RequiredError::Subcommand(1);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }

@@ -82,8 +82,9 @@ void add_simulate(CLI::App& app) {
   verb->add_option("--beams", options->laser.beams, "over 360 degrees, default 1440")
       ->check(CLI::Range(8, 100000));
   verb->add_option("--noise", options->laser.noise, "of the ranges [m], default 0.01")
-      ->check(CLI::Range(0.0, 1.0));
-  verb->add_option("--seed", options->seed, "of the noise, default 1");
+      ->check(number_in(0.0, 1.0));
+  verb->add_option("--seed", options->seed, "of the noise, default 1")
+      ->check(CLI::NonNegativeNumber);
   verb->add_flag("--force", options->replace, "replace an existing bag");
   verb->callback([options] { simulate(*options); });
 }

@@ -72,9 +72,14 @@ LaserScan with_start_angle_turned(const LaserScan& scan, double angle) {
 
 LaserScan with_beams_rotated(const LaserScan& scan, std::size_t beams) {
   LaserScan rotated = scan;
-  const auto by = static_cast<std::ptrdiff_t>(beams % scan.size());
-  std::rotate(rotated.ranges.begin(), rotated.ranges.begin() + by, rotated.ranges.end());
-  std::rotate(rotated.status.begin(), rotated.status.begin() + by, rotated.status.end());
+  const auto rotate = [&](auto& values) {
+    if (values.empty()) return;
+    const auto by = static_cast<std::ptrdiff_t>(beams % values.size());
+    std::rotate(values.begin(), values.begin() + by, values.end());
+  };
+  rotate(rotated.ranges);
+  rotate(rotated.status);
+  rotate(rotated.intensities);
   return rotated;
 }
 

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -14,38 +15,53 @@
 namespace falko_slam {
 
 BagFile::BagFile(std::string path, bool replace)
-    : path_(std::move(path)), temporary_(path_ + "." + std::to_string(::getpid()) + ".part") {
+    : path_(std::move(path)),
+      temporary_(path_ + "." + std::to_string(::getpid()) + ".part"),
+      bag_(std::make_unique<rosbag::Bag>()) {
   if (!replace && std::ifstream(path_)) {
     throw std::runtime_error(path_ + ": exists already");
   }
-  try {
-    bag_.open(temporary_, rosbag::bagmode::Write);
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path_ + ": cannot be written: " + error.what());
-  }
+  report_failure([this] { bag_->open(temporary_, rosbag::bagmode::Write); });
 }
 
 BagFile::~BagFile() {
   if (finished_) return;
-  bag_.close();
+  try {
+    close();
+  } catch (const std::runtime_error&) {
+    // Whoever wrote has been told, and the file goes anyway.
+  }
   std::remove(temporary_.c_str());
+}
+
+void BagFile::fail(const std::string& reason) const {
+  throw std::runtime_error(path_ + ": cannot be written: " + reason);
+}
+
+void BagFile::close() {
+  if (!bag_) return;
+  try {
+    bag_->close();
+    bag_.reset();
+  } catch (const rosbag::BagException& error) {
+    // Given up: its destructor would close it again, throw again and so end the program.
+    static_cast<void>(bag_.release());
+    fail(error.what());
+  }
 }
 
 ros::Time BagFile::next_time(Time time) {
   const ros::Time wanted = to_ros(time);
-  if (wanted < last_) {
-    ++moved_times_;
-  } else {
-    last_ = wanted;
-  }
+  if (wanted < latest_) ++moved_times_;
+  latest_ = std::max(latest_, wanted);
+  const ros::Time next = last_ < ros::TIME_MAX ? last_ + ros::Duration(0, 1) : last_;
+  last_ = std::max(wanted, next);
   return last_;
 }
 
 void BagFile::finish() {
-  bag_.close();
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    throw std::runtime_error(path_ + ": cannot be written: " + std::strerror(errno));
-  }
+  close();
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));
   finished_ = true;
 }
 

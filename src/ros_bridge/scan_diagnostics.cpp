@@ -21,7 +21,9 @@ void ScanDiagnostics::add(const ScanReport& report, std::size_t keypoints, doubl
   ++scans_;
   if (report.fault == ScanFault::kNoBeams) ++no_beams_;
   if (report.fault == ScanFault::kBadAngles) ++bad_angles_;
-  if (report.usable()) invalid_beams_ += report.beam_count - report.count(BeamStatus::kValid);
+  if (report.usable()) {
+    invalid_beams_ += report.beam_count - report.surplus_beams - report.count(BeamStatus::kValid);
+  }
   ++window_.scans;
   window_.keypoints += keypoints;
   window_.busy += duration;

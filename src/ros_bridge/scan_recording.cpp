@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/ros_bridge/scan_recording.hpp"
 
+#include <ros/exception.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/LaserScan.h>
@@ -59,7 +60,7 @@ std::string read_bag(const std::string& path, const std::string& wanted,
       ++count;
     }
     return std::to_string(count) + " scans on " + topic;
-  } catch (const rosbag::BagException& error) {
+  } catch (const ros::Exception& error) {  // of the bag or of a message in it
     throw std::runtime_error(path + ": " + error.what());
   }
 }

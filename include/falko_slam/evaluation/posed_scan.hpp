@@ -22,7 +22,9 @@ struct PosedScan {
 ///
 /// The laser's mount on the robot comes from the two poses in the ROBOTLASER1 line. Scans that
 /// cannot be used are left out. `report` tells what the file held.
-/// Throws std::runtime_error if the file cannot be read or holds no scan.
+/// Throws std::runtime_error if the file cannot be read, holds no scan, has VERTEX2 lines for some
+/// of its scans only, or no corrected pose at all: without VERTEX2 lines the laser then stands
+/// wherever the odometry puts the robot, the mount in front.
 std::vector<PosedScan> load_posed_scans(const std::string& path, CarmenReport& report);
 
 }  // namespace falko_slam

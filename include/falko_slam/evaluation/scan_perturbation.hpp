@@ -26,7 +26,7 @@ LaserScan oversampled(const LaserScan& scan, std::size_t added);
 LaserScan with_start_angle_turned(const LaserScan& scan, double angle);
 
 /// What the laser of a closed scan would see turned by `beams` increments: beam i has the range
-/// that beam i + beams has in the original.
+/// and intensity that beam i + beams has in the original.
 LaserScan with_beams_rotated(const LaserScan& scan, std::size_t beams);
 
 }  // namespace falko_slam

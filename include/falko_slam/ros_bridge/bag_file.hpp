@@ -4,6 +4,7 @@
 
 #include <rosbag/bag.h>
 
+#include <memory>
 #include <string>
 
 #include "falko_slam/common/time.hpp"
@@ -23,11 +24,12 @@ class BagFile {
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
 
-  /// Bags are read in the order of their times: a message with an earlier time than the one before
-  /// it gets that one's time. Topics are written with their whole names, as recorders do.
+  /// Bags are read in the order of their times, and messages of one time in any order: a message
+  /// that is not later than the one before it is moved to the nanosecond after that. Topics are
+  /// written with their whole names, as recorders do.
   template <class Message>
   void write(const std::string& topic, Time time, const Message& message) {
-    bag_.write("/" + topic, next_time(time), message);
+    report_failure([&] { bag_->write("/" + topic, next_time(time), message); });
   }
   /// For messages of all times, such as static transforms.
   template <class Message>
@@ -38,20 +40,33 @@ class BagFile {
     (*header)["md5sum"] = traits::md5sum(message);
     (*header)["message_definition"] = traits::definition(message);
     (*header)["latching"] = "1";
-    bag_.write("/" + topic, next_time(time), message, header);
+    report_failure([&] { bag_->write("/" + topic, next_time(time), message, header); });
   }
 
+  /// Throws std::runtime_error with the name, as writing does, if there is no more space.
   void finish();
 
+  /// Messages earlier than one before them.
   std::size_t moved_times() const { return moved_times_; }
 
  private:
+  template <class Work>
+  void report_failure(Work&& work) {
+    try {
+      work();
+    } catch (const rosbag::BagException& error) {
+      fail(error.what());
+    }
+  }
+  [[noreturn]] void fail(const std::string& reason) const;
+  void close();
   ros::Time next_time(Time time);
 
   std::string path_;
   std::string temporary_;
-  rosbag::Bag bag_;
-  ros::Time last_ = ros::TIME_MIN;
+  std::unique_ptr<rosbag::Bag> bag_;
+  ros::Time latest_ = ros::TIME_MIN;  // asked for
+  ros::Time last_;                    // written
   std::size_t moved_times_ = 0;
   bool finished_ = false;
 };

@@ -22,7 +22,7 @@ class ScanDiagnostics {
 
   /// `now` and `duration` [s]: steady clock, time spent on this scan.
   void add(const ScanReport& report, std::size_t keypoints, double now, double duration);
-  /// An additional warning that stays until the next report; "" for none.
+  /// An additional warning that stays until the next call; "" for none.
   void warn(const std::string& warning) { warning_ = warning; }
 
   void report(diagnostic_updater::DiagnosticStatusWrapper& status, double now);
