@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "falko_slam/common/validation.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -70,6 +71,7 @@ std::vector<Pose2> office_path(double step) {
   // Around the pillars: straight along y = -1 and y = 1, half circles at the ends.
   constexpr double kHalfLength = 8.5;
   constexpr double kRadius = 1.0;
+  require_in_range("step", step, 1e-4, kHalfLength);
   const double straight = 2.0 * kHalfLength;
   const double turn = kPi * kRadius;
   std::vector<Pose2> path;

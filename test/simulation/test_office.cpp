@@ -57,6 +57,12 @@ TEST(OfficePath, ClosesOnItself) {
   EXPECT_LE(std::abs(gap.theta()), kStep + 1e-9);
 }
 
+TEST(OfficePath, RefusesStepsThatNeverArrive) {
+  EXPECT_THROW(office_path(0.0), std::invalid_argument);
+  EXPECT_THROW(office_path(-1.0), std::invalid_argument);
+  EXPECT_THROW(office_path(std::nan("")), std::invalid_argument);
+}
+
 TEST(OfficeScene, IsClosedAllAround) {
   const Scene scene = office_scene();
   for (const Pose2& pose : office_path(2.0)) {

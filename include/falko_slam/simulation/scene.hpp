@@ -31,6 +31,7 @@ struct Scene {
 Scene office_scene();
 
 /// A closed way along the corridor and back, in steps of `step` [m].
+/// Throws std::invalid_argument unless the step is in [0.0001, 8.5].
 std::vector<Pose2> office_path(double step);
 
 }  // namespace falko_slam
