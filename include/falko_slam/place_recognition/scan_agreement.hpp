@@ -1,0 +1,67 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "falko_slam/geometry/pose_estimate.hpp"
+#include "falko_slam/place_recognition/scan_view.hpp"
+
+namespace falko_slam {
+
+struct AgreementParams {
+  /// A point within this distance of the other scan's surface agrees with it. [m]
+  double tolerance = 0.10;
+  /// A point this far in front of what the other scan saw in its direction contradicts it: the beam
+  /// has passed through. [m]
+  double see_through = 0.30;
+};
+
+/// What one scan says of the points of another one. Numbers of points, and lengths of wall [m].
+struct Agreement {
+  std::size_t points = 0;        ///< all of them
+  std::size_t agreeing = 0;      ///< within the tolerance of the surface
+  std::size_t missed = 0;        ///< in view, but not on the surface
+  std::size_t seen_through = 0;  ///< in front of the surface
+  double length = 0.0;
+  double agreeing_length = 0.0;
+  double missed_length = 0.0;
+  double seen_through_length = 0.0;
+
+  /// Points that the other scan could say something about.
+  std::size_t seen() const { return agreeing + missed + seen_through; }
+  /// Share of the wall in view that agrees; 0 if nothing is in view.
+  double ratio() const {
+    const double seen_length = agreeing_length + missed_length + seen_through_length;
+    return seen_length > 0.0 ? agreeing_length / seen_length : 0.0;
+  }
+  Agreement& operator+=(const Agreement& other);
+};
+
+/// How the points of `source` fit to what `target` saw. Points behind the target's surface, outside
+/// of its view or at its invalid beams are not counted. Takes every `stride`-th point.
+Agreement agreement(const ScanView& target, const ScanView& source, const Pose2& target_T_source,
+                    const AgreementParams& params = {}, std::size_t stride = 1);
+
+struct RegistrationParams {
+  int iterations = 8;
+  double first_gate = 0.5;  ///< distance of points that are paired in the first iteration [m]
+  double last_gate = 0.15;  ///< and from the middle on [m]
+};
+
+struct Registration {
+  PoseEstimate target_T_source;
+  double rms_residual = 0.0;  ///< of the distances to the lines [m]
+  /// Smallest over largest eigenvalue of the normals' scatter, doubled: 1 where walls of all
+  /// directions are paired, 0 in a corridor without an end.
+  double constraint = 0.0;
+};
+
+/// Point-to-line registration from an initial pose; pairs are found along the beams of the target.
+/// Empty if fewer than 10 points are paired or they leave a direction open.
+std::optional<Registration> register_scans(const ScanView& target, const ScanView& source,
+                                           const Pose2& target_T_source,
+                                           const RegistrationParams& params = {});
+
+}  // namespace falko_slam

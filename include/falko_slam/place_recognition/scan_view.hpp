@@ -1,0 +1,61 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "falko_slam/sensor/laser_scan.hpp"
+
+namespace falko_slam {
+
+/// A point of a scan with the piece of wall that it stands for.
+struct SurfacePoint {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< laser frame [m]
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();    ///< towards the laser; zero: not known
+  double length = 0.0;                                 ///< of the piece of wall [m]
+};
+
+struct ScanViewParams {
+  /// Points nearer than this to the last one kept are left out. [m]
+  double point_spacing = 0.05;
+  /// Farther beams are left out. [m]
+  double max_range = 30.0;
+  /// A point is joined to its neighbour if the step is shorter than this, or than step_ratio times
+  /// their distance at perpendicular incidence. [m]
+  double max_step = 0.15;
+  double step_ratio = 6.0;
+};
+
+/// What is compared of two scans: surface points, and for each direction how far it is free.
+class ScanView {
+ public:
+  explicit ScanView(const LaserScan& scan, const ScanViewParams& params = {});
+
+  /// The surface of all beams that are valid and near enough, `point_spacing` apart.
+  const std::vector<SurfacePoint>& points() const { return points_; }
+
+  /// The beams beside a direction [rad, laser frame]; none if no beam looks there.
+  struct Beams {
+    std::size_t nearest = 0;
+    bool inside = false;
+  };
+  Beams beams_at(double bearing) const;
+  std::size_t beam_count() const { return all_.size(); }
+  bool closed() const { return closed_; }
+  /// Of the beam; length 0 where it is not valid or too far.
+  const SurfacePoint& surface(std::size_t beam) const { return all_[beam]; }
+  /// How far the beam saw [m]; 0 where it is not valid.
+  double range(std::size_t beam) const { return ranges_[beam]; }
+
+ private:
+  double angle_min_ = 0.0;
+  double angle_increment_ = 0.0;
+  bool closed_ = false;
+  std::vector<double> ranges_;
+  std::vector<SurfacePoint> all_;
+  std::vector<SurfacePoint> points_;
+};
+
+}  // namespace falko_slam
