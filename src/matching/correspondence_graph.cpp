@@ -113,10 +113,11 @@ void CorrespondenceGraphMatcher::Search::explore(const HeadingArc& window, Edges
   for (;;) {
     peel(edges, best_size_);
     if (edges.empty()) return;
-    if (++nodes_ > max_nodes_) {
+    if (nodes_ == max_nodes_) {
       proven_ = false;
       return;
     }
+    ++nodes_;
     std::vector<std::uint32_t> clique = larger_clique(densest_core(edges));
     if (clique.empty()) clique = larger_clique(edges);
     if (clique.empty()) return;
@@ -190,8 +191,7 @@ std::vector<std::uint32_t> CorrespondenceGraphMatcher::Search::larger_clique(con
   }
   graph_.reset(labelled_.size());
   for (const CompatibleEdge& edge : edges) graph_.add_edge(label_[edge.a], label_[edge.b]);
-  const CliqueResult result =
-      maximum_clique_.search(graph_, {best_size_, max_nodes_ - std::min(nodes_, max_nodes_)});
+  const CliqueResult result = maximum_clique_.search(graph_, {best_size_, max_nodes_ - nodes_});
   nodes_ += result.nodes;
   proven_ = proven_ && result.proven;
   std::vector<std::uint32_t> clique;
