@@ -14,6 +14,12 @@ constexpr BinaryAngle kQuarterTurn = BinaryAngle{1} << 30;
 }  // namespace
 
 void CompatibleEdges::Side::prepare(const std::vector<MatchPoint>& set, double tolerance) {
+  if (std::equal(set.begin(), set.end(), positions.begin(), positions.end(),
+                 [](const MatchPoint& a, const Eigen::Vector2d& b) { return a.position == b; })) {
+    return;
+  }
+  positions.clear();
+  for (const MatchPoint& point : set) positions.push_back(point.position);
   points = set.size();
   find_segments(set, 0.0, segments);
   spans.resize(points * points);

@@ -53,8 +53,11 @@ class CompatibleEdges {
   struct Side {
     std::vector<Segment> segments;
     std::vector<Span> spans;
+    std::vector<Eigen::Vector2d> positions;
     std::size_t points = 0;
 
+    // Does nothing if the last set had the same positions, for one set is often matched with
+    // several. The tolerance must always be the same.
     void prepare(const std::vector<MatchPoint>& set, double tolerance);
     const Span& span(std::size_t from, std::size_t to) const { return spans[from * points + to]; }
   };

@@ -16,9 +16,9 @@
 namespace falko_slam {
 namespace {
 
-// The circle of headings in windows of 2.8 degrees. Wider ones hold more edges that have nothing
+// The circle of headings in windows of 5.6 degrees. Wider ones hold more edges that have nothing
 // to do with each other, narrower ones hold an edge more often.
-constexpr std::uint32_t kWindowBits = 7;
+constexpr std::uint32_t kWindowBits = 6;
 constexpr std::uint32_t kWindows = 1U << kWindowBits;
 constexpr BinaryAngle kWindowExtent = (BinaryAngle{1} << (32 - kWindowBits)) - 1;
 
@@ -48,8 +48,9 @@ class CorrespondenceGraphMatcher::Search {
 
  private:
   void fill_windows();
-  void explore(const HeadingArc& window, Edges edges);
+  void explore(const HeadingArc& window, Edges& edges);
   Edges edges_within(const HeadingArc& window, const Edges& edges) const;
+  void count_degrees(const Edges& edges);
   void peel(Edges& edges, std::size_t min_degree);
   Edges densest_core(const Edges& edges);
   std::vector<std::uint32_t> larger_clique(const Edges& edges);
@@ -109,8 +110,9 @@ void CorrespondenceGraphMatcher::Search::fill_windows() {
 
 // Finds the largest clique with a common heading in the window, if it is larger than the best one.
 // A clique without one splits the window between two of its edges: neither half holds both.
-void CorrespondenceGraphMatcher::Search::explore(const HeadingArc& window, Edges edges) {
+void CorrespondenceGraphMatcher::Search::explore(const HeadingArc& window, Edges& edges) {
   for (;;) {
+    count_degrees(edges);
     peel(edges, best_size_);
     if (edges.empty()) return;
     if (nodes_ == max_nodes_) {
@@ -124,8 +126,10 @@ void CorrespondenceGraphMatcher::Search::explore(const HeadingArc& window, Edges
     if (const auto offset = conflict(window, clique)) {
       const HeadingArc left{window.begin, *offset};
       const HeadingArc right{window.begin + *offset + 1, window.extent - *offset - 1};
-      explore(left, edges_within(left, edges));
-      explore(right, edges_within(right, edges));
+      for (const HeadingArc& half : {left, right}) {
+        Edges within = edges_within(half, edges);
+        explore(half, within);
+      }
       return;
     }
     best_size_ = clique.size();
@@ -143,29 +147,34 @@ Edges CorrespondenceGraphMatcher::Search::edges_within(const HeadingArc& window,
   return within;
 }
 
+void CorrespondenceGraphMatcher::Search::count_degrees(const Edges& edges) {
+  degree_.assign(compatible_.vertices(), 0);
+  for (const CompatibleEdge& edge : edges) {
+    ++degree_[edge.a];
+    ++degree_[edge.b];
+  }
+}
+
 // Leaves the edges between vertices that keep at least `min_degree` of them: no others belong to a
-// clique of min_degree + 1.
+// clique of min_degree + 1. The degrees must be those of the edges, and stay so.
 void CorrespondenceGraphMatcher::Search::peel(Edges& edges, std::size_t min_degree) {
+  const auto falls = [&](const CompatibleEdge& edge) {
+    if (degree_[edge.a] >= min_degree && degree_[edge.b] >= min_degree) return false;
+    --degree_[edge.a];
+    --degree_[edge.b];
+    return true;
+  };
   std::size_t before = 0;
   do {
-    degree_.assign(compatible_.vertices(), 0);
-    for (const CompatibleEdge& edge : edges) {
-      ++degree_[edge.a];
-      ++degree_[edge.b];
-    }
     before = edges.size();
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                               [&](const CompatibleEdge& edge) {
-                                 return degree_[edge.a] < min_degree ||
-                                        degree_[edge.b] < min_degree;
-                               }),
-                edges.end());
+    edges.erase(std::remove_if(edges.begin(), edges.end(), falls), edges.end());
   } while (edges.size() < before);
 }
 
-// Where a large clique is likely: what stays longest as the least degree asked for rises.
+// Where a large clique is likely: what stays longest as the least degree asked for rises. The
+// degrees must be those of the edges.
 Edges CorrespondenceGraphMatcher::Search::densest_core(const Edges& edges) {
-  Edges core = edges;
+  Edges core;
   Edges denser = edges;
   for (std::size_t degree = best_size_ + 1; !denser.empty(); ++degree) {
     core = denser;

@@ -159,9 +159,10 @@ std::vector<MatchResult> TwoPointMatcher::Search::run(const std::vector<MatchPoi
 
   const PairGates gates{params_.inlier_distance, params_.orientation_gate, may_match};
   const auto wanted = static_cast<std::size_t>(params_.max_matches);
+  const auto fewest = static_cast<std::size_t>(params_.min_pairs);
   std::vector<MatchResult> matches;
   std::size_t tries = 0;
-  for (std::size_t support = source.size(); support > 1; --support) {
+  for (std::size_t support = source.size(); support >= fewest; --support) {
     // Of equal support the longest segments first: theirs is the best heading.
     for (auto hypothesis = hypotheses_.rbegin(); hypothesis != hypotheses_.rend(); ++hypothesis) {
       if (hypothesis->support != support) continue;
@@ -169,7 +170,7 @@ std::vector<MatchResult> TwoPointMatcher::Search::run(const std::vector<MatchPoi
       if (known(hypothesis->target_T_source.pose(), matches)) continue;
       ++tries;
       MatchResult match = refine(*hypothesis, source, target, gates);
-      if (match.pairs.size() < static_cast<std::size_t>(params_.min_pairs)) continue;
+      if (match.pairs.size() < fewest) continue;
       if (known(match.target_T_source->pose, matches)) continue;
       match.search_nodes = hypotheses_.size();
       matches.push_back(std::move(match));
