@@ -5,68 +5,29 @@
 // degrees) and their linear interpolations.
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <iostream>
 #include <map>
 
-#include "falko_slam/evaluation/posed_scan.hpp"
 #include "falko_slam/evaluation/scan_perturbation.hpp"
 #include "falko_slam/features/descriptor_extractor.hpp"
 #include "falko_slam/features/falko.hpp"
 #include "falko_slam/features/orthogonal_corner.hpp"
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "recorded_scans.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr int kBeams = 360;  // of the recording; simulated scans have as many
-
-std::vector<LaserScan> simulated_scans() {
-  std::mt19937_64 random(1);
-  SimulatedLaserParams laser;
-  laser.beams = kBeams;
-  laser.angle_min = -0.5 * kPi;
-  laser.angle_increment = kPi / static_cast<double>(kBeams);
-  std::vector<LaserScan> scans;
-  for (const Pose2& pose : office_path(0.1)) {
-    const std::vector<float> ranges = simulate_ranges(office_scene(), pose, laser, random);
-    RawScan raw;
-    raw.angle_min = laser.angle_min;
-    raw.angle_increment = laser.angle_increment;
-    raw.angle_max = laser.angle_min + (kBeams - 1) * laser.angle_increment;
-    raw.range_max = laser.range_max;
-    raw.ranges = ranges.data();
-    raw.range_count = ranges.size();
-    normalize(raw, {}, scans.emplace_back());
-  }
-  return scans;
-}
-
-std::vector<LaserScan> recorded_scans() {
-  const char* folder = std::getenv("FALKO_SLAM_DATA");
-  const std::string log = std::string(folder == nullptr ? "." : folder) + "/benchmark/fr079.log.gz";
-  if (!std::ifstream(log)) {
-    std::cerr << "no $FALKO_SLAM_DATA/benchmark/fr079.log.gz: simulated scans instead\n";
-    return simulated_scans();
-  }
-  CarmenReport report;
-  std::vector<LaserScan> scans;
-  for (PosedScan& posed : load_posed_scans(log, report)) scans.push_back(std::move(posed.scan));
-  std::cerr << log << ": " << describe(report) << "\n";
-  return scans;
-}
-
 // The scans with about `beams` beams: those left out or interpolated between the recorded ones.
 const std::vector<LaserScan>& scans_of(int beams) {
-  static const std::vector<LaserScan> recorded = recorded_scans();
+  static const std::vector<PosedScan> recorded = benchmarks::recorded_scans();
   static std::map<int, std::vector<LaserScan>> known;
   std::vector<LaserScan>& scans = known[beams];
   if (!scans.empty()) return scans;
-  for (const LaserScan& scan : recorded) {
-    scans.push_back(beams < kBeams
-                        ? subsampled(scan, static_cast<std::size_t>(kBeams / beams - 1))
-                        : oversampled(scan, static_cast<std::size_t>(beams / kBeams - 1)));
+  for (const PosedScan& recording : recorded) {
+    scans.push_back(
+        beams < benchmarks::kBeams
+            ? subsampled(recording.scan, static_cast<std::size_t>(benchmarks::kBeams / beams - 1))
+            : oversampled(recording.scan,
+                          static_cast<std::size_t>(beams / benchmarks::kBeams - 1)));
   }
   return scans;
 }

@@ -1,0 +1,198 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/matching/two_point_matcher.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "falko_slam/common/validation.hpp"
+#include "falko_slam/geometry/angles.hpp"
+#include "one_to_one.hpp"
+#include "point_bitmap.hpp"
+#include "segments.hpp"
+#include "two_point_motion.hpp"
+
+namespace falko_slam {
+namespace {
+
+// How often each wanted match may be looked for in vain.
+constexpr std::size_t kTriesPerMatch = 8;
+constexpr int kRefinements = 2;
+
+bool by_length(const Segment& a, const Segment& b) {
+  return std::tie(a.length, a.first, a.second) < std::tie(b.length, b.first, b.second);
+}
+
+}  // namespace
+
+void validate(const TwoPointMatcherParams& params) {
+  require_in_range("distance_tolerance", params.distance_tolerance, 1e-6, 10.0);
+  require_in_range("inlier_distance", params.inlier_distance, 1e-3, 10.0);
+  require_in_range("min_segment", params.min_segment, 1e-3, 100.0);
+  require_in_range("max_query_segments", params.max_query_segments, 1, 1000000);
+  require_in_range("orientation_gate", params.orientation_gate, 0.0, 1.5);
+  require_in_range("max_matches", params.max_matches, 1, 100);
+  require_in_range("min_pairs", params.min_pairs, 2, 1000);
+  require_in_range("separation", params.separation, 0.0, 100.0);
+  require_in_range("heading_separation", params.heading_separation, 0.0, kPi);
+  require_in_range("residual_noise", params.residual_noise, 0.0, 10.0);
+}
+
+class TwoPointMatcher::Search {
+ public:
+  explicit Search(const TwoPointMatcherParams& params)
+      : params_(params), bitmap_(params.inlier_distance) {}
+
+  std::vector<MatchResult> run(const std::vector<MatchPoint>& source,
+                               const std::vector<MatchPoint>& target,
+                               const PairPredicate& may_match);
+
+ private:
+  struct Hypothesis {
+    TwoPointMotion target_T_source;
+    std::size_t support;
+  };
+
+  void choose_query_segments(std::size_t points);
+  void find_hypotheses(const std::vector<MatchPoint>& source, const std::vector<MatchPoint>& target,
+                       const PairPredicate& may_match);
+  MatchResult refine(const Hypothesis& hypothesis, const std::vector<MatchPoint>& source,
+                     const std::vector<MatchPoint>& target, const PairGates& gates);
+  bool known(const Pose2& pose, const std::vector<MatchResult>& matches) const;
+
+  TwoPointMatcherParams params_;
+  PointBitmap bitmap_;
+  std::vector<Segment> unasked_, query_, target_segments_;
+  std::vector<std::size_t> uses_;
+  std::vector<Hypothesis> hypotheses_;
+  std::vector<MatchPair> pairs_;
+};
+
+// The longest segments, but each point in turn: none is asked the (n + 1)-th time while a segment
+// between two points asked less than n times is left.
+void TwoPointMatcher::Search::choose_query_segments(std::size_t points) {
+  const auto wanted = static_cast<std::size_t>(params_.max_query_segments);
+  query_.clear();
+  uses_.assign(points, 0);
+  for (std::size_t round = 1; query_.size() < wanted && !unasked_.empty(); ++round) {
+    std::size_t left = unasked_.size();  // not asked yet: the entries from here on
+    for (std::size_t i = unasked_.size(); i-- > 0;) {
+      const Segment segment = unasked_[i];
+      const bool take =
+          query_.size() < wanted && uses_[segment.first] < round && uses_[segment.second] < round;
+      if (!take) {
+        unasked_[--left] = segment;
+        continue;
+      }
+      query_.push_back(segment);
+      ++uses_[segment.first];
+      ++uses_[segment.second];
+    }
+    unasked_.erase(unasked_.begin(), unasked_.begin() + static_cast<std::ptrdiff_t>(left));
+  }
+  std::sort(query_.begin(), query_.end(), by_length);
+}
+
+void TwoPointMatcher::Search::find_hypotheses(const std::vector<MatchPoint>& source,
+                                              const std::vector<MatchPoint>& target,
+                                              const PairPredicate& may_match) {
+  const auto fits = [&](const MatchPair& pair, double heading) {
+    return may_pair(source[pair.source], target[pair.target], heading, params_.orientation_gate) &&
+           (!may_match || may_match(pair.source, pair.target));
+  };
+  const auto try_pairs = [&](const MatchPair& a, const MatchPair& b, double heading) {
+    if (!fits(a, heading) || !fits(b, heading)) return;
+    const TwoPointMotion motion = motion_of(a, b, source, target);
+    std::size_t support = 0;
+    for (const MatchPoint& point : source) {
+      support += point.usable() && bitmap_.near_marked(motion * point.position) ? 1U : 0U;
+    }
+    hypotheses_.push_back({motion, support});
+  };
+  hypotheses_.clear();
+  for_each_equal_length(query_, target_segments_, params_.distance_tolerance,
+                        [&](const Segment& s, const Segment& t) {
+                          const double heading = t.direction - s.direction;
+                          try_pairs({s.first, t.first}, {s.second, t.second}, heading);
+                          try_pairs({s.first, t.second}, {s.second, t.first}, heading + kPi);
+                        });
+}
+
+MatchResult TwoPointMatcher::Search::refine(const Hypothesis& hypothesis,
+                                            const std::vector<MatchPoint>& source,
+                                            const std::vector<MatchPoint>& target,
+                                            const PairGates& gates) {
+  Pose2 pose = hypothesis.target_T_source.pose();
+  MatchResult result;
+  for (int i = 0; i <= kRefinements; ++i) {
+    pair_under(pose, source, target, gates, pairs_);
+    result = match_of(pairs_, source, target, params_.residual_noise);
+    if (!result.found()) break;
+    pose = result.target_T_source->pose;
+  }
+  return result;
+}
+
+bool TwoPointMatcher::Search::known(const Pose2& pose,
+                                    const std::vector<MatchResult>& matches) const {
+  return std::any_of(matches.begin(), matches.end(), [&](const MatchResult& match) {
+    const Pose2& other = match.target_T_source->pose;
+    return (pose.translation() - other.translation()).norm() <= params_.separation &&
+           std::abs(angle_between(pose.theta(), other.theta())) <= params_.heading_separation;
+  });
+}
+
+std::vector<MatchResult> TwoPointMatcher::Search::run(const std::vector<MatchPoint>& source,
+                                                      const std::vector<MatchPoint>& target,
+                                                      const PairPredicate& may_match) {
+  find_segments(source, params_.min_segment, unasked_);
+  find_segments(target, std::max(1e-3, params_.min_segment - params_.distance_tolerance),
+                target_segments_);
+  choose_query_segments(source.size());
+  for (const MatchPoint& point : target) {
+    if (point.usable()) bitmap_.mark(point.position);
+  }
+  find_hypotheses(source, target, may_match);
+  bitmap_.clear();
+
+  const PairGates gates{params_.inlier_distance, params_.orientation_gate, may_match};
+  const auto wanted = static_cast<std::size_t>(params_.max_matches);
+  const auto fewest = static_cast<std::size_t>(params_.min_pairs);
+  std::vector<MatchResult> matches;
+  std::size_t tries = 0;
+  for (std::size_t support = source.size(); support >= fewest; --support) {
+    // Of equal support the longest segments first: theirs is the best heading.
+    for (auto hypothesis = hypotheses_.rbegin(); hypothesis != hypotheses_.rend(); ++hypothesis) {
+      if (hypothesis->support != support) continue;
+      if (matches.size() == wanted || tries == wanted * kTriesPerMatch) break;
+      if (known(hypothesis->target_T_source.pose(), matches)) continue;
+      ++tries;
+      MatchResult match = refine(*hypothesis, source, target, gates);
+      if (match.pairs.size() < fewest) continue;
+      if (known(match.target_T_source->pose, matches)) continue;
+      match.search_nodes = hypotheses_.size();
+      matches.push_back(std::move(match));
+    }
+  }
+  std::stable_sort(matches.begin(), matches.end(), [](const MatchResult& a, const MatchResult& b) {
+    if (a.pairs.size() != b.pairs.size()) return a.pairs.size() > b.pairs.size();
+    return a.rms_residual < b.rms_residual;
+  });
+  return matches;
+}
+
+TwoPointMatcher::TwoPointMatcher(const TwoPointMatcherParams& params)
+    : params_((validate(params), params)), search_(std::make_unique<Search>(params)) {}
+TwoPointMatcher::~TwoPointMatcher() = default;
+TwoPointMatcher::TwoPointMatcher(TwoPointMatcher&&) noexcept = default;
+TwoPointMatcher& TwoPointMatcher::operator=(TwoPointMatcher&&) noexcept = default;
+
+std::vector<MatchResult> TwoPointMatcher::match(const std::vector<MatchPoint>& source,
+                                                const std::vector<MatchPoint>& target,
+                                                const PairPredicate& may_match) {
+  return search_->run(source, target, may_match);
+}
+
+}  // namespace falko_slam
