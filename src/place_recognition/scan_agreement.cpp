@@ -28,9 +28,8 @@ double distance_to(const SurfacePoint& surface, const Eigen::Vector2d& point) {
 
 Footing footing(const ScanView& view, const Eigen::Vector2d& point) {
   Footing result;
-  const ScanView::Beams beams = view.beams_at(std::atan2(point.y(), point.x()));
-  if (!beams.inside) return result;
-  const std::size_t count = view.beam_count();
+  const auto nearest = view.beam_at(std::atan2(point.y(), point.x()));
+  if (!nearest) return result;
   const auto look_at = [&](std::size_t beam) {
     result.range = std::max(result.range, view.range(beam));
     const SurfacePoint& surface = view.surface(beam);
@@ -38,11 +37,10 @@ Footing footing(const ScanView& view, const Eigen::Vector2d& point) {
     const double distance = distance_to(surface, point);
     if (distance < result.distance) result.distance = distance, result.surface = &surface;
   };
-  look_at(beams.nearest);
-  if (beams.nearest > 0) look_at(beams.nearest - 1);
-  if (beams.nearest + 1 < count) look_at(beams.nearest + 1);
-  if (view.closed() && beams.nearest == 0) look_at(count - 1);
-  if (view.closed() && beams.nearest + 1 == count) look_at(0);
+  const std::size_t last = view.beam_count() - 1;
+  look_at(*nearest);
+  if (*nearest > 0 || view.closed()) look_at(*nearest > 0 ? *nearest - 1 : last);
+  if (*nearest < last || view.closed()) look_at(*nearest < last ? *nearest + 1 : 0);
   return result;
 }
 
@@ -84,50 +82,74 @@ Agreement agreement(const ScanView& target, const ScanView& source, const Pose2&
   return result;
 }
 
+namespace {
+
+// The normal equations of the point-to-line distances, about the position of the source:
+//     r = n . (target_T_source p - q),  dr/d(x, y, theta) = (n_x, n_y, n . perp(R p)).
+struct NormalEquations {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  double squares = 0.0;
+  std::size_t pairs = 0;
+
+  void add(const SurfacePoint& surface, const Eigen::Vector2d& point, const Pose2& pose) {
+    const Eigen::Vector2d arm = point - pose.translation();
+    const Eigen::Vector2d& n = surface.normal;
+    const double residual = n.dot(point - surface.position);
+    const Eigen::Vector3d jacobian(n.x(), n.y(), n.y() * arm.x() - n.x() * arm.y());
+    information += jacobian * jacobian.transpose();
+    gradient += jacobian * residual;
+    squares += residual * residual;
+    ++pairs;
+  }
+};
+
+NormalEquations equations(const ScanView& target, const ScanView& source, const Pose2& pose,
+                          double gate) {
+  NormalEquations result;
+  for (const SurfacePoint& point : source.points()) {
+    const Eigen::Vector2d in_target = pose * point.position;
+    const Footing found = footing(target, in_target);
+    if (found.surface == nullptr || found.distance > gate) continue;
+    if (found.surface->normal.isZero(0.0)) continue;
+    result.add(*found.surface, in_target, pose);
+  }
+  return result;
+}
+
+// 1 if the normals point in all directions alike, 0 if they are parallel.
+double constraint_of(const Eigen::Matrix2d& scatter) {
+  const double half_trace = 0.5 * scatter.trace();
+  const double half_difference = 0.5 * (scatter(0, 0) - scatter(1, 1));
+  return (half_trace - std::hypot(half_difference, scatter(0, 1))) / half_trace;
+}
+
+}  // namespace
+
 std::optional<Registration> register_scans(const ScanView& target, const ScanView& source,
                                            const Pose2& initial, const RegistrationParams& params) {
   constexpr std::size_t kLeastPairs = 10;
+  constexpr double kSmallStep = 1e-3;  // [m], [rad]
   Registration result;
   Pose2 pose = initial;
   for (int iteration = 0; iteration < params.iterations; ++iteration) {
-    const double gate = 2 * iteration < params.iterations ? params.first_gate : params.last_gate;
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-    double squares = 0.0;
-    std::size_t pairs = 0;
-    for (const SurfacePoint& point : source.points()) {
-      const Eigen::Vector2d in_target = pose * point.position;
-      const Footing found = footing(target, in_target);
-      if (found.surface == nullptr || found.distance > gate) continue;
-      if (found.surface->normal.isZero(0.0)) continue;
-      const Eigen::Vector2d& normal = found.surface->normal;
-      const double residual = normal.dot(in_target - found.surface->position);
-      // About the position of the source: d residual / d (x, y, theta) in the target frame.
-      const Eigen::Vector2d arm = in_target - pose.translation();
-      const Eigen::Vector3d jacobian(normal.x(), normal.y(),
-                                     normal.dot(Eigen::Vector2d(-arm.y(), arm.x())));
-      information += jacobian * jacobian.transpose();
-      gradient += jacobian * residual;
-      squares += residual * residual;
-      ++pairs;
-    }
-    if (pairs < kLeastPairs) return std::nullopt;
-    const Eigen::LDLT<Eigen::Matrix3d> solver(information);
+    const bool fine = 2 * iteration >= params.iterations;
+    const NormalEquations sum =
+        equations(target, source, pose, fine ? params.last_gate : params.first_gate);
+    if (sum.pairs < kLeastPairs) return std::nullopt;
+    const Eigen::LDLT<Eigen::Matrix3d> solver(sum.information);
     const Eigen::Vector3d pivots = solver.vectorD();
     if (!(pivots.minCoeff() > 1e-6 * pivots.maxCoeff())) return std::nullopt;
-    const Eigen::Vector3d step = solver.solve(-gradient);
+    const Eigen::Vector3d step = solver.solve(-sum.gradient);
     pose = Pose2(pose.translation() + step.head<2>(), pose.theta() + step.z());
-    const auto freedom = static_cast<double>(pairs - 3);
-    const double variance = squares / freedom;
-    result.rms_residual = std::sqrt(squares / static_cast<double>(pairs));
-    result.target_T_source = {pose, variance * solver.solve(Eigen::Matrix3d::Identity())};
-    const Eigen::Matrix2d scatter = information.topLeftCorner<2, 2>();
-    const double trace = scatter.trace();
-    const double root = std::sqrt(std::max(0.0, 0.25 * trace * trace - scatter(0, 0) * scatter(1, 1) + scatter(0, 1) * scatter(1, 0)));
-    result.constraint = 2.0 * (0.5 * trace - root) / trace;
-    if (step.head<2>().norm() < 1e-3 && std::abs(step.z()) < 1e-3 && gate == params.last_gate)
-      break;
+    const auto pairs = static_cast<double>(sum.pairs);
+    result.rms_residual = std::sqrt(sum.squares / pairs);
+    result.constraint = constraint_of(sum.information.topLeftCorner<2, 2>());
+    result.target_T_source.covariance =
+        sum.squares / (pairs - 3.0) * solver.solve(Eigen::Matrix3d::Identity());
+    if (fine && step.cwiseAbs().maxCoeff() < kSmallStep) break;
   }
+  result.target_T_source.pose = pose;
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "falko_slam/common/validation.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -15,72 +16,70 @@ constexpr double kLoneLength = 0.02;
 
 }  // namespace
 
+void validate(const ScanViewParams& params) {
+  require_in_range("point_spacing", params.point_spacing, 0.0, 10.0);
+  require_in_range("max_range", params.max_range, 0.1, 1e5);
+  require_in_range("max_step", params.max_step, 0.0, 100.0);
+  require_in_range("step_ratio", params.step_ratio, 0.0, 1000.0);
+}
+
 ScanView::ScanView(const LaserScan& scan, const ScanViewParams& params)
     : angle_min_(scan.angle_min),
       angle_increment_(scan.angle_increment),
       closed_(scan.closed),
       ranges_(scan.size(), 0.0),
       all_(scan.size()) {
-  const std::size_t beams = scan.size();
-  for (std::size_t i = 0; i < beams; ++i) {
+  for (std::size_t i = 0; i < scan.size(); ++i) {
     if (!scan.valid(i)) continue;
     ranges_[i] = scan.ranges[i];
     if (scan.ranges[i] > params.max_range) continue;
     all_[i].position = scan.point(i);
     all_[i].length = kLoneLength;
   }
-  // The beams beside beam i on the same surface; i itself where there is none.
-  const auto joined = [&](std::size_t i, std::size_t j) {
-    if (all_[i].length <= 0.0 || all_[j].length <= 0.0) return false;
-    const double across = std::min(ranges_[i], ranges_[j]) * angle_increment_;
-    const double step = (all_[i].position - all_[j].position).norm();
-    return step < std::max(params.max_step, params.step_ratio * across);
+  for (std::size_t i = 0; i < all_.size(); ++i) measure_wall(i, params);
+  keep_points(params.point_spacing);
+}
+
+// Normal and length of the wall about a beam, from the beams beside it on the same surface.
+void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
+  SurfacePoint& here = all_[beam];
+  if (here.length <= 0.0) return;
+  const auto beside = [&](std::size_t other) {
+    if (all_[other].length <= 0.0) return beam;
+    const double across = std::min(ranges_[beam], ranges_[other]) * angle_increment_;
+    const double step = (here.position - all_[other].position).norm();
+    return step < std::max(params.max_step, params.step_ratio * across) ? other : beam;
   };
-  for (std::size_t i = 0; i < beams; ++i) {
-    if (all_[i].length <= 0.0) continue;
-    std::size_t left = i;
-    std::size_t right = i;
-    if (i > 0 || closed_) {
-      const std::size_t before = i > 0 ? i - 1 : beams - 1;
-      if (joined(i, before)) left = before;
-    }
-    if (i + 1 < beams || closed_) {
-      const std::size_t after = i + 1 < beams ? i + 1 : 0;
-      if (joined(i, after)) right = after;
-    }
-    if (left == right) continue;
-    const Eigen::Vector2d along = all_[right].position - all_[left].position;
-    const double length = along.norm();
-    if (length <= 0.0) continue;
-    Eigen::Vector2d normal(-along.y() / length, along.x() / length);
-    if (normal.dot(all_[i].position) > 0.0) normal = -normal;
-    all_[i].normal = normal;
-    all_[i].length = std::max(kLoneLength, 0.5 * length);
-  }
-  const SurfacePoint* last = nullptr;
-  for (std::size_t i = 0; i < beams; ++i) {
-    const SurfacePoint& here = all_[i];
+  const std::size_t last = all_.size() - 1;
+  const std::size_t right = beam > 0 ? beside(beam - 1) : closed_ ? beside(last) : beam;
+  const std::size_t left = beam < last ? beside(beam + 1) : closed_ ? beside(0) : beam;
+  const Eigen::Vector2d along = all_[left].position - all_[right].position;
+  const double length = along.norm();
+  if (length <= 0.0) return;
+  const Eigen::Vector2d normal(-along.y() / length, along.x() / length);
+  here.normal = normal.dot(here.position) > 0.0 ? Eigen::Vector2d(-normal) : normal;
+  here.length = std::max(kLoneLength, 0.5 * length);
+}
+
+void ScanView::keep_points(double spacing) {
+  for (const SurfacePoint& here : all_) {
     if (here.length <= 0.0) continue;
-    if (last != nullptr) {
-      const double step = (here.position - last->position).norm();
-      if (step < params.point_spacing) {
-        points_.back().length += here.length;
-        continue;
-      }
+    if (!points_.empty() && (here.position - points_.back().position).norm() < spacing) {
+      points_.back().length += here.length;
+    } else {
+      points_.push_back(here);
     }
-    points_.push_back(here);
-    last = &here;
   }
 }
 
-ScanView::Beams ScanView::beams_at(double bearing) const {
-  if (all_.empty() || angle_increment_ <= 0.0) return {};
-  double turn = (bearing - angle_min_) / angle_increment_;
-  const double full = kTwoPi / angle_increment_;
-  turn -= full * std::floor((turn + 0.5) / full);
-  const auto nearest = static_cast<std::size_t>(turn + 0.5);
-  if (nearest < all_.size()) return {nearest, true};
-  return closed_ ? Beams{0, true} : Beams{};
+std::optional<std::size_t> ScanView::beam_at(double bearing) const {
+  if (all_.empty() || angle_increment_ <= 0.0) return std::nullopt;
+  const double turn = kTwoPi / angle_increment_;
+  double beams = (bearing - angle_min_) / angle_increment_;
+  beams -= turn * std::floor((beams + 0.5) / turn);
+  const auto nearest = static_cast<std::size_t>(std::max(0.0, beams + 0.5));
+  if (nearest < all_.size()) return nearest;
+  return closed_ ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 }  // namespace falko_slam

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "falko_slam/sensor/laser_scan.hpp"
@@ -27,21 +28,20 @@ struct ScanViewParams {
   double max_step = 0.15;
   double step_ratio = 6.0;
 };
+/// Throws std::invalid_argument with the field and its value.
+void validate(const ScanViewParams& params);
 
 /// What is compared of two scans: surface points, and for each direction how far it is free.
 class ScanView {
  public:
+  ScanView() = default;
   explicit ScanView(const LaserScan& scan, const ScanViewParams& params = {});
 
   /// The surface of all beams that are valid and near enough, `point_spacing` apart.
   const std::vector<SurfacePoint>& points() const { return points_; }
 
-  /// The beams beside a direction [rad, laser frame]; none if no beam looks there.
-  struct Beams {
-    std::size_t nearest = 0;
-    bool inside = false;
-  };
-  Beams beams_at(double bearing) const;
+  /// The beam nearest to a direction [rad, laser frame]; none if no beam looks there.
+  std::optional<std::size_t> beam_at(double bearing) const;
   std::size_t beam_count() const { return all_.size(); }
   bool closed() const { return closed_; }
   /// Of the beam; length 0 where it is not valid or too far.
@@ -50,6 +50,9 @@ class ScanView {
   double range(std::size_t beam) const { return ranges_[beam]; }
 
  private:
+  void measure_wall(std::size_t beam, const ScanViewParams& params);
+  void keep_points(double spacing);
+
   double angle_min_ = 0.0;
   double angle_increment_ = 0.0;
   bool closed_ = false;

@@ -1,0 +1,111 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "falko_slam/geometry/pose_estimate.hpp"
+#include "falko_slam/matching/two_point_matcher.hpp"
+#include "falko_slam/place_recognition/keyframe.hpp"
+#include "falko_slam/place_recognition/loop_scores.hpp"
+
+namespace falko_slam {
+
+struct LoopDetectorParams {
+  KeyframeParams keyframe;
+  TwoPointMatcherParams matcher;
+  AgreementParams agreement;
+  RegistrationParams registration;
+  /// Keyframes with the nearest signatures that are matched. Greater values find more and cost
+  /// more. [1, 1000]
+  int candidates = 40;
+  /// Matches with the most pairs that are verified on all points. [1, 1000]
+  int verified = 8;
+  /// Fits that are checked against the neighbours of both keyframes. [1, 100]
+  int compared = 3;
+  /// Neighbours are the keyframes within this length of way on either side, at least
+  /// neighbor_spacing apart, at most max_neighbors on each side. [m]
+  double neighborhood = 3.0;
+  double neighbor_spacing = 0.5;
+  int max_neighbors = 6;
+  /// Keyframes less than this length of way back are no loops. [m]
+  double min_path = 10.0;
+  /// Loops with at least this score are accepted. Greater: fewer false ones, and fewer. [0, 1]
+  double min_score = 0.55;
+};
+/// Throws std::invalid_argument with the field and its value.
+void validate(const LoopDetectorParams& params);
+
+/// What became of a candidate, in the order of the tests.
+enum class LoopVerdict {
+  kNotMatched,     ///< too few keypoints fit
+  kFewerPairs,     ///< than `verified` others: not looked at further
+  kDisagrees,      ///< points of one scan are not where the other saw walls
+  kNotRegistered,  ///< too few points to align, or a direction is open
+  kMovedAway,      ///< alignment ended far from where the keypoints had put it
+  kLowScore,       ///< below `min_score`
+  kNotBest,        ///< good, but another candidate is better
+  kAccepted,
+};
+const char* name_of(LoopVerdict verdict);
+
+struct LoopCandidate {
+  KeyframeId target;
+  LoopVerdict verdict = LoopVerdict::kNotMatched;
+  std::uint32_t signature_distance = 0;
+  std::size_t pairs = 0;      ///< of keypoints
+  double scan_score = 0.0;    ///< see scan_score()
+  double score = 0.0;         ///< see neighborhood_score()
+  double rms_residual = 0.0;  ///< of the alignment [m]
+  /// From the keypoints, then from all points; empty if there was no match.
+  std::optional<PoseEstimate> target_T_source;
+};
+
+struct LoopDetection {
+  /// All that were looked at, the best first.
+  std::vector<LoopCandidate> candidates;
+
+  /// Null if none is.
+  const LoopCandidate* accepted() const;
+};
+
+/// Recognises places in the scans of a drive: signature, matching of keypoints, alignment and
+/// agreement of all points, agreement of the scans before and after. Every candidate ends accepted
+/// or with the reason why not; at most one is accepted.
+///
+/// Keyframes are numbered in the order in which they are added. Their poses need to be right over
+/// the neighbourhood only. Not thread-safe.
+class LoopDetector {
+ public:
+  explicit LoopDetector(const LoopDetectorParams& params = {});
+  ~LoopDetector();
+  LoopDetector(LoopDetector&&) noexcept;
+  LoopDetector& operator=(LoopDetector&&) noexcept;
+
+  KeyframeId add(const LaserScan& scan, const Pose2& odom_T_laser);
+  const std::vector<Keyframe>& keyframes() const;
+
+  using Admission = std::function<bool(const Keyframe& target)>;
+  /// Loops from a keyframe to those added before it, at least `min_path` back or, if given, those
+  /// that `admits` lets through. Throws std::out_of_range if there is no such keyframe.
+  LoopDetection detect(KeyframeId source, const Admission& admits = {});
+
+  /// Where among all keyframes a scan may have been taken, from this scan alone: at most `count`
+  /// hypotheses, the best first, their `score` being the scan_score.
+  std::vector<LoopCandidate> locate(const LaserScan& scan, std::size_t count,
+                                    const Admission& admits = {});
+
+  const LoopDetectorParams& params() const { return params_; }
+
+ private:
+  struct Memory;
+  LoopDetectorParams params_;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace falko_slam
