@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "feature_report.hpp"
+#include "loop_report.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -63,12 +64,52 @@ void add_features(CLI::App& evaluate) {
   verb->callback([options] { evaluate_logs(*options); });
 }
 
+struct EvaluateLoopsOptions {
+  std::vector<std::string> logs;
+  std::string json;
+  LoopEvaluationParams params;
+};
+
+void evaluate_logs(const EvaluateLoopsOptions& options) {
+  nlohmann::json document = nlohmann::json::array();
+  for (const std::string& log : options.logs) {
+    CarmenReport report;
+    const std::vector<PosedScan> scans = load_posed_scans(log, report);
+    std::cout << log << ": " << describe(report) << "\n";
+    const std::vector<LoopMethodResult> results = evaluate_loops(
+        scans, options.params, [](const std::string& what) { std::cerr << what << " ...\n"; });
+    print_report(results);
+    std::cout << "\n" << std::flush;
+    document.push_back(
+        {{"log", log.substr(log.find_last_of('/') + 1)}, {"methods", as_json(results)}});
+  }
+  std::cout << describe_resources() << "\n";
+  if (!options.json.empty()) write_json(options.json, document);
+}
+
+void add_loops(CLI::App& evaluate) {
+  auto options = std::make_shared<EvaluateLoopsOptions>();
+  CLI::App* verb = evaluate.add_subcommand(
+      "loops", "Fig. 4.2 and Table 4.1 of the thesis, on logs with corrected poses");
+  verb->add_option("logs", options->logs,
+                   "CARMEN logs: VERTEX2 before ROBOTLASER1, or FLASER with corrected poses")
+      ->required();
+  verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them");
+  verb->add_option("--candidates", options->params.candidates,
+                   "nearest signatures that the thesis' methods associate, default 10")
+      ->check(CLI::Range(1, 1000));
+  verb->add_option("--seed", options->params.seed, "of RANSAC, default 1")
+      ->check(CLI::NonNegativeNumber);
+  verb->callback([options] { evaluate_logs(*options); });
+}
+
 }  // namespace
 
 void add_evaluate(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("evaluate", "measure against ground truth");
   verb->require_subcommand(1);
   add_features(*verb);
+  add_loops(*verb);
 }
 
 }  // namespace cli

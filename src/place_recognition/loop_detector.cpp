@@ -210,8 +210,9 @@ KeyframeId LoopDetector::add(const LaserScan& scan, const Pose2& odom_T_laser) {
 LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits) {
   const Keyframe& source = memory_->at(id);
   const auto admitted = [&](const Keyframe& target) {
-    if (!(target.id < id)) return false;
-    return admits ? admits(target) : source.path - target.path >= params_.min_path;
+    if (target.id == id) return false;
+    if (admits) return admits(target);
+    return target.id < id && source.path - target.path >= params_.min_path;
   };
   LoopDetection detection{memory_->match(source, admitted, params_)};
   memory_->verify_best(source, detection.candidates, params_);
@@ -220,7 +221,9 @@ LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits) {
   int left = params_.compared;
   for (LoopCandidate& candidate : detection.candidates) {
     if (candidate.verdict != LoopVerdict::kLowScore || left-- == 0) break;
-    const Neighborhood around = memory_->neighborhood(candidate.target, id.value, params_);
+    // Nothing that came after the source, unless later places were asked for.
+    const std::size_t end = candidate.target < id ? id.value : memory_->keyframes.size();
+    const Neighborhood around = memory_->neighborhood(candidate.target, end, params_);
     candidate.score = neighborhood_score(
         candidate.scan_score,
         neighborhood_agreement(around, behind, candidate.target_T_source->pose, params_.agreement));

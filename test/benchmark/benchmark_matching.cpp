@@ -1,10 +1,9 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Time of the matchers: on random point sets, half of which are common, and on the keypoints of
-// fr079 (the literal reading of FALKO), where an iteration matches a scan with ten candidates.
-// `median` and `p99`
-// are those of the iterations, CPU time [us].
+// Time of the matchers: on random point sets, half of which are common if not said otherwise, and
+// on the keypoints of fr079 (the literal reading of FALKO), where an iteration matches a scan with
+// ten candidates. `median` and `p99` are those of the iterations, CPU time [us].
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -32,21 +31,27 @@ struct Query {
   std::vector<Pose2> target_T_source;  // the true ones
 };
 
-std::vector<Query> random_queries(std::size_t points, double half_width, double orientation_noise) {
+struct RandomSets {
+  std::size_t points, common;
+  double half_width;         // of the square they lie in [m]
+  double orientation_noise;  // 0: no orientations [rad]
+};
+
+std::vector<Query> random_queries(const RandomSets& sets) {
   std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> place(-half_width, half_width);
+  std::uniform_real_distribution<double> place(-sets.half_width, sets.half_width);
   std::uniform_real_distribution<double> heading(-kPi, kPi);
   std::normal_distribution<double> noise(0.0, 0.02);
-  std::normal_distribution<double> turn(0.0, orientation_noise);
+  std::normal_distribution<double> turn(0.0, sets.orientation_noise);
   std::vector<Query> queries;
   for (int run = 0; run < 50; ++run) {
     const Pose2 pose(3.0, -2.0, heading(random));
     Query query{{}, {{}}, {pose}};
-    for (std::size_t i = 0; i < points; ++i) {
+    for (std::size_t i = 0; i < sets.points; ++i) {
       MatchPoint point{{place(random), place(random)}};
-      if (orientation_noise > 0.0) point.orientation = heading(random);
+      if (sets.orientation_noise > 0.0) point.orientation = heading(random);
       query.source.push_back(point);
-      if (i >= points / 2) point.position = {place(random), place(random)};
+      if (i >= sets.common) point.position = {place(random), place(random)};
       point.position = pose * point.position + Eigen::Vector2d(noise(random), noise(random));
       point.orientation += pose.theta() + turn(random);
       query.targets[0].push_back(point);
@@ -105,11 +110,15 @@ const std::vector<Query>& any() {
   return queries;
 }
 const std::vector<Query>& eighty() {
-  static const std::vector<Query> queries = random_queries(80, 10.0, 0.0);
+  static const std::vector<Query> queries = random_queries({80, 40, 10.0, 0.0});
+  return queries;
+}
+const std::vector<Query>& strangers() {
+  static const std::vector<Query> queries = random_queries({80, 0, 10.0, 0.0});
   return queries;
 }
 const std::vector<Query>& fifteen() {
-  static const std::vector<Query> queries = random_queries(15, 8.0, 0.1);
+  static const std::vector<Query> queries = random_queries({15, 7, 8.0, 0.1});
   return queries;
 }
 
@@ -199,6 +208,7 @@ void match(benchmark::State& state) {
   BENCHMARK_TEMPLATE(match, matcher, queries)->Name(name)->Unit(benchmark::kMicrosecond)
 
 MATCH("correspondence graph/80 x 80 random", CorrespondenceGraph, eighty);
+MATCH("correspondence graph/80 x 80 random, none common", CorrespondenceGraph, strangers);
 MATCH("correspondence graph/15 x 15 random", CorrespondenceGraph, fifteen);
 MATCH("correspondence graph/10 nearest", CorrespondenceGraph, nearest);
 MATCH("correspondence graph/10 any", CorrespondenceGraph, any);

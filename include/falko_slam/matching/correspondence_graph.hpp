@@ -10,6 +10,8 @@
 
 namespace falko_slam {
 
+class HeadingSearch;
+
 struct CorrespondenceGraphParams {
   /// epsilon: two pairs are compatible if their points are equally far apart in both sets, to less
   /// than this. Also how far a segment may miss its partner sideways. (0, 10] [m]
@@ -53,9 +55,8 @@ class CorrespondenceGraphMatcher {
   const CorrespondenceGraphParams& params() const { return params_; }
 
  private:
-  class Search;
   CorrespondenceGraphParams params_;
-  std::unique_ptr<Search> search_;
+  std::unique_ptr<HeadingSearch> search_;
 };
 
 }  // namespace falko_slam

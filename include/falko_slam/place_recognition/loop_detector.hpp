@@ -91,8 +91,8 @@ class LoopDetector {
   const std::vector<Keyframe>& keyframes() const;
 
   using Admission = std::function<bool(const Keyframe& target)>;
-  /// Loops from a keyframe to those added before it, at least `min_path` back or, if given, those
-  /// that `admits` lets through. Throws std::out_of_range if there is no such keyframe.
+  /// Loops from a keyframe to those at least `min_path` back; if given, to those that `admits` lets
+  /// through, which may be later ones too. Throws std::out_of_range if there is no such keyframe.
   LoopDetection detect(KeyframeId source, const Admission& admits = {});
 
   /// Where among all keyframes a scan may have been taken, from this scan alone: at most `count`

@@ -1,0 +1,69 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_report.hpp"
+
+#include <cstdio>
+
+namespace falko_slam {
+
+static void to_json(nlohmann::json& json, const LoopTiming& time) {
+  json = {{"mean_ms", time.mean}, {"median_ms", time.median}, {"p99_ms", time.p99}};
+}
+
+static void to_json(nlohmann::json& json, const LoopOperatingPoint& point) {
+  json = {{"min_score", point.min_score},
+          {"precision", point.precision},
+          {"recall", point.recall},
+          {"closures", point.closures},
+          {"wrong", point.wrong}};
+}
+
+static void to_json(nlohmann::json& json, const LoopMethodResult& result) {
+  json = {{"method", result.method},
+          {"protocol", name_of(result.protocol)},
+          {"scans", result.scans},
+          {"loops", result.loops},
+          {"break_even", result.summary.break_even},
+          {"recall_at_100", result.summary.recall_at_100},
+          {"recall_at_95", result.summary.recall_at_95},
+          {"f1", result.summary.f1},
+          {"curve", result.curve},
+          {"creation", result.creation},
+          {"closing", result.closing}};
+  if (result.working_point.closures > 0) json["working_point"] = result.working_point;
+}
+
+namespace cli {
+
+void print_report(const std::vector<LoopMethodResult>& results) {
+  const LoopMethodResult* last = nullptr;
+  for (const LoopMethodResult& result : results) {
+    if (last == nullptr || last->protocol != result.protocol) {
+      std::printf("\n%s: %zu scans, %zu of them with a loop to be found\n",
+                  name_of(result.protocol), result.scans, result.loops);
+      std::printf(
+          "  %-14s  break-even  recall at precision 1, .95  greatest F1   "
+          "ms: create, close mean, median, p99\n",
+          "");
+    }
+    last = &result;
+    const LoopSummary& s = result.summary;
+    std::printf(
+        "  %-14s       %5.3f                %5.3f  %5.3f        %5.3f         "
+        "%6.3f      %6.3f  %6.3f %6.3f\n",
+        result.method.c_str(), s.break_even, s.recall_at_100, s.recall_at_95, s.f1,
+        result.creation.mean, result.closing.mean, result.closing.median, result.closing.p99);
+    const LoopOperatingPoint& point = result.working_point;
+    if (point.closures > 0) {
+      std::printf(
+          "  %-14s accepted at its default score of %.2f: %zu closures, %zu wrong; recall "
+          "%.3f\n",
+          "", point.min_score, point.closures, point.wrong, point.recall);
+    }
+  }
+}
+
+nlohmann::json as_json(const std::vector<LoopMethodResult>& results) { return results; }
+
+}  // namespace cli
+}  // namespace falko_slam

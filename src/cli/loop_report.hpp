@@ -1,0 +1,20 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "falko_slam/evaluation/loop_evaluation.hpp"
+
+namespace falko_slam {
+namespace cli {
+
+/// The tables as text on standard output.
+void print_report(const std::vector<LoopMethodResult>& results);
+
+/// All figures; scripts/plot_loops draws them.
+nlohmann::json as_json(const std::vector<LoopMethodResult>& results);
+
+}  // namespace cli
+}  // namespace falko_slam
