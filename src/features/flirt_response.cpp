@@ -16,6 +16,8 @@ constexpr double kShortestSurface = 0.1;
 // A surface looks into the direction from its end to the second point after it.
 constexpr std::size_t kEdgePoints = 2;
 constexpr std::size_t kFewestPoints = 5;
+// So near to an end the windows hold too few points to tell a bend from noise.
+constexpr std::size_t kUnsurePoints = 2;
 // Points within this distance on the same surface have a say in its normal [m].
 constexpr double kNormalRadius = 0.3;
 
@@ -29,8 +31,8 @@ void smooth(BoxSmoothing& smoothing, std::vector<double>& values) {
 template <class Visit>
 void for_each_peak(const std::vector<double>& response, const ScanTrace::Piece& piece,
                    const FlirtParams& params, Visit&& visit) {
-  const std::size_t end = std::min(response.size() - 1, piece.last - piece.begin);
-  for (std::size_t i = std::max<std::size_t>(1, piece.first - piece.begin); i < end; ++i) {
+  const std::size_t end = std::min(response.size() - kUnsurePoints, piece.last - piece.begin);
+  for (std::size_t i = std::max(kUnsurePoints, piece.first - piece.begin); i < end; ++i) {
     if (response[i] > params.min_peak && response[i] - response[i - 1] > params.min_difference &&
         response[i] - response[i + 1] > params.min_difference) {
       visit(i);

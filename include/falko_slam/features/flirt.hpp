@@ -25,9 +25,9 @@ struct FlirtParams {
   /// Ratio of a scale to the one before. [1.01, 4]
   double sigma_step = 1.4;
   /// Response that a keypoint must reach: of the contour without dimension (1.13 at a right angle,
-  /// 0.15 at one of 169 degrees), of the ranges in [m]. Greater values give fewer keypoints.
+  /// 0.12 at one of 171 degrees), of the ranges in [m]. Greater values give fewer keypoints.
   /// [0, 100]
-  double min_peak = 0.15;
+  double min_peak = 0.12;
   /// And by which it must exceed that of both neighbours, same unit. [0, 100]
   double min_difference = 0.001;
   /// Half of the window, across the beams, in which the contour is averaged before it is measured;
@@ -44,8 +44,8 @@ struct FlirtParams {
 /// Throws std::invalid_argument with the field and its value.
 void validate(const FlirtParams& params);
 
-/// The defaults of the range signal: three scales from a third of a degree on, jumps of about 0.2
-/// m, no gaps.
+/// The defaults of the range signal: three scales from a third of a degree on, jumps of about
+/// 0.2 m, no gaps.
 FlirtParams flirt_range_params();
 
 /// FLIRT: keypoints of a scan as extrema of a signal over beams and scales
