@@ -44,6 +44,10 @@ struct BetaGridExtractor::Workspace {
   double ring_crossing(const Ray& ray, int border, double t) const;
   double sector_crossing(const Ray& ray, int border) const;
   void add_miss(int ring, int sector);
+  std::size_t cell_at(int ring, int sector) const {
+    const int cell = ring * sectors.count() + sector;
+    return static_cast<std::size_t>(cell);
+  }
 
   double radius;
   double evidence_length;
@@ -71,14 +75,15 @@ BetaGridExtractor::Workspace::Workspace(const BetaGridParams& params)
     const double angle = kTwoPi * i / params.sectors;
     borders.emplace_back(std::cos(angle), std::sin(angle));
   }
-  const auto cells = static_cast<std::size_t>(params.rings * params.sectors);
+  const std::size_t cells =
+      static_cast<std::size_t>(params.rings) * static_cast<std::size_t>(params.sectors);
   hits.resize(cells);
   misses.resize(cells);
   last_beam.resize(cells);
 }
 
 void BetaGridExtractor::Workspace::add_miss(int ring, int sector) {
-  const auto cell = static_cast<std::size_t>(ring * sectors.count() + sector);
+  const std::size_t cell = cell_at(ring, sector);
   if (last_beam[cell] == beam) return;
   last_beam[cell] = beam;
   ++misses[cell];
@@ -145,7 +150,7 @@ void BetaGridExtractor::Workspace::follow(const Ray& ray) {
     while (square >= border_squares[static_cast<std::size_t>(ring) + 1]) ++ring;
     const Eigen::Vector2d point = ray.at(ray.end);
     const int sector = sectors.sector(static_cast<float>(point.x()), static_cast<float>(point.y()));
-    const auto cell = static_cast<std::size_t>(ring * sectors.count() + sector);
+    const std::size_t cell = cell_at(ring, sector);
     last_beam[cell] = beam;
     ++hits[cell];
   }
@@ -226,8 +231,8 @@ double distance(const BetaGrid& a, const BetaGrid& b) {
   double sum = 0.0;
   double weights = 0.0;
   for (std::size_t i = 0; i < a.occupancy.size(); ++i) {
-    const double p = static_cast<double>(a.occupancy[i]);
-    const double q = static_cast<double>(b.occupancy[i]);
+    const auto p = static_cast<double>(a.occupancy[i]);
+    const auto q = static_cast<double>(b.occupancy[i]);
     const double weight =
         1.0 / (static_cast<double>(a.variance[i]) + static_cast<double>(b.variance[i]));
     sum += weight * (p - q) * (p - q) / (p + q);

@@ -75,7 +75,7 @@ Eigen::Vector2d normal_at(const ScanTrace& trace, const ScanTrace::Piece& piece,
   };
   for (std::size_t i = point; i > piece.begin && add(i - 1, i);) --i;
   for (std::size_t i = point; i + 1 < piece.end && add(i + 1, i);) ++i;
-  const Eigen::Vector2d to_laser(-trace.x[point], -trace.y[point]);
+  Eigen::Vector2d to_laser(-trace.x[point], -trace.y[point]);
   if (scatter.count < 3.0) return to_laser;
   const double direction = scatter.direction();
   const Eigen::Vector2d normal(-std::sin(direction), std::cos(direction));
