@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
-#include <utility>
 
 namespace falko_slam {
 
@@ -47,8 +46,19 @@ static void to_json(nlohmann::json& json, const DetectorEvaluation& detector) {
           {"repeatability", detector.repeatability}};
 }
 
+static void to_json(nlohmann::json& json, const DescriptorCurve& curve) {
+  json = {{"descriptor", curve.descriptor}, {"points", curve.points}};
+}
+
 static void to_json(nlohmann::json& json, const DescriptorCurves& curves) {
-  json = {{"condition", curves.condition}, {"bsc", curves.bsc}, {"cgh", curves.cgh}};
+  json = {{"condition", curves.condition}, {"curves", curves.curves}};
+}
+
+static void to_json(nlohmann::json& json, const DescriptorEvaluation& evaluation) {
+  json = {{"detector", evaluation.detector},
+          {"conditions", evaluation.conditions},
+          {"bsc_and_cgh_time", evaluation.bsc_and_cgh},
+          {"beta_grid_time", evaluation.beta_grid}};
 }
 
 namespace cli {
@@ -131,17 +141,17 @@ void print_repeatabilities(const FeatureEvaluation& evaluation, const Repeatabil
   }
 }
 
-void print_descriptors(const FeatureEvaluation& evaluation) {
+void print_descriptors(const DescriptorEvaluation& evaluation) {
   constexpr double kShares[] = {0.1, 0.2, 0.3, 0.5};
-  std::printf("\nDescriptors of FALKO keypoints (Fig. 3.9): recall at 1-precision of at most\n");
-  std::printf("  %-16s", "");
+  std::printf("\nDescriptors of %s keypoints (Fig. 3.9): recall at 1-precision of at most\n",
+              evaluation.detector.c_str());
+  std::printf("  %-22s", "");
   for (const double share : kShares) std::printf("   %.1f", share);
   std::printf("\n");
-  for (const DescriptorCurves& curves : evaluation.descriptors) {
-    for (const auto& [name, curve] :
-         {std::make_pair("BSC", &curves.bsc), std::make_pair("CGH", &curves.cgh)}) {
-      std::printf("  %-12s %s", curves.condition.c_str(), name);
-      for (const double share : kShares) std::printf("  %.2f", recall_at(*curve, share));
+  for (const DescriptorCurves& curves : evaluation.conditions) {
+    for (const DescriptorCurve& curve : curves.curves) {
+      std::printf("  %-12s %-9s", curves.condition.c_str(), curve.descriptor.c_str());
+      for (const double share : kShares) std::printf("  %.2f", recall_at(curve.points, share));
       std::printf("\n");
     }
   }
@@ -155,15 +165,22 @@ void print_report(const FeatureEvaluation& evaluation, const FeatureEvaluationPa
               evaluation.viewpoint_pairs, params.repeatability.viewpoint_distance);
   print_map_table(evaluation, params);
   print_repeatabilities(evaluation, params.repeatability);
-  print_descriptors(evaluation);
+  for (const DescriptorEvaluation& descriptors : evaluation.descriptors) {
+    print_descriptors(descriptors);
+  }
   std::printf(
       "\nTime per scan on this machine (Table 3.2) [us]: mean, median; keypoints per scan\n");
   for (const DetectorEvaluation& detector : evaluation.detectors) {
     std::printf("  %-16s  %8.1f  %8.1f  %6.2f\n", detector.name.c_str(), detector.time.mean,
                 detector.time.median, detector.keypoints_per_scan);
   }
-  std::printf("  %-16s  %8.1f  %8.1f\n", "BSC and CGH", evaluation.descriptor_time.mean,
-              evaluation.descriptor_time.median);
+  for (const DescriptorEvaluation& descriptors : evaluation.descriptors) {
+    std::printf("  of the keypoints of %s\n", descriptors.detector.c_str());
+    std::printf("  %-16s  %8.1f  %8.1f\n", "BSC and CGH", descriptors.bsc_and_cgh.mean,
+                descriptors.bsc_and_cgh.median);
+    std::printf("  %-16s  %8.1f  %8.1f\n", "beta-grid", descriptors.beta_grid.mean,
+                descriptors.beta_grid.median);
+  }
 }
 
 nlohmann::json as_json(const FeatureEvaluation& evaluation, const FeatureEvaluationParams& params) {
@@ -183,8 +200,7 @@ nlohmann::json as_json(const FeatureEvaluation& evaluation, const FeatureEvaluat
             {"map_separation", params.map_separation},
             {"map_orders", params.map_orders}}},
           {"detectors", evaluation.detectors},
-          {"descriptors", evaluation.descriptors},
-          {"descriptor_time", evaluation.descriptor_time}};
+          {"descriptors", evaluation.descriptors}};
 }
 
 }  // namespace cli

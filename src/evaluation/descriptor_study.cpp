@@ -10,20 +10,21 @@
 namespace falko_slam {
 namespace {
 
-using Features = std::vector<DescribedKeypoint>;
+using Features = std::vector<ComparedFeature>;
 
 std::vector<Eigen::Vector2d> positions_of(const Features& features, const Pose2& map_T_laser) {
   std::vector<Eigen::Vector2d> points;
   points.reserve(features.size());
-  for (const DescribedKeypoint& feature : features)
+  for (const ComparedFeature& feature : features)
     points.push_back(map_T_laser * feature.keypoint.position);
   return points;
 }
 
-// The pairs of one condition, for both descriptors.
+// The pairs of one condition, for each descriptor.
 class PairCollection {
  public:
-  explicit PairCollection(double association_radius) : association_radius_(association_radius) {}
+  explicit PairCollection(double association_radius)
+      : association_radius_(association_radius), pairs_(compared_descriptors().size()) {}
 
   void add(const Features& a, const Pose2& map_T_a, const Features& b, const Pose2& map_T_b) {
     std::vector<std::vector<bool>> same(a.size(), std::vector<bool>(b.size()));
@@ -33,22 +34,39 @@ class PairCollection {
     }
     for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < b.size(); ++j) {
-        bsc_.push_back({static_cast<double>(distance(a[i].bsc, b[j].bsc)), same[i][j]});
-        cgh_.push_back({distance(a[i].cgh, b[j].cgh), same[i][j]});
+        for (std::size_t k = 0; k < pairs_.size(); ++k) {
+          pairs_[k].push_back({compared_descriptors()[k].distance(a[i], b[j]), same[i][j]});
+        }
       }
     }
   }
 
   DescriptorCurves curves(const std::string& condition, std::size_t points) const {
-    return {condition, precision_recall_curve(bsc_, points), precision_recall_curve(cgh_, points)};
+    DescriptorCurves curves{condition, {}};
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      curves.curves.push_back(
+          {compared_descriptors()[k].name, precision_recall_curve(pairs_[k], points)});
+    }
+    return curves;
   }
 
  private:
   double association_radius_;
-  std::vector<DescriptorPair> bsc_, cgh_;
+  std::vector<std::vector<DescriptorPair>> pairs_;  // by descriptor
 };
 
 }  // namespace
+
+const std::vector<NamedDescriptor>& compared_descriptors() {
+  using Feature = ComparedFeature;
+  static const std::vector<NamedDescriptor> descriptors = {
+      {"BSC", [](const Feature& a,
+                 const Feature& b) { return static_cast<double>(distance(a.bsc, b.bsc)); }},
+      {"CGH", [](const Feature& a, const Feature& b) { return distance(a.cgh, b.cgh); }},
+      {"beta-grid",
+       [](const Feature& a, const Feature& b) { return distance(a.beta_grid, b.beta_grid); }}};
+  return descriptors;
+}
 
 std::vector<DescriptorCurves> study_descriptors(const std::vector<PosedScan>& scans,
                                                 const RepeatabilityCases& cases,

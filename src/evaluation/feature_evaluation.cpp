@@ -5,14 +5,22 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <utility>
 
 #include "falko_slam/evaluation/literal_falko.hpp"
 #include "falko_slam/evaluation/point_association.hpp"
+#include "falko_slam/features/beta_grid.hpp"
+#include "falko_slam/features/descriptor_extractor.hpp"
 #include "falko_slam/features/falko.hpp"
+#include "falko_slam/features/flirt.hpp"
 #include "falko_slam/features/orthogonal_corner.hpp"
 
 namespace falko_slam {
 namespace {
+
+// Places in the list of the detectors.
+constexpr std::size_t kFalko = 0;
+constexpr std::size_t kFlirtCurvature = 3;
 
 struct NamedDetector {
   std::string name;
@@ -60,20 +68,47 @@ DetectorEvaluation evaluate(const NamedDetector& detector, const std::vector<Pos
   return result;
 }
 
-void evaluate_descriptors(const std::vector<PosedScan>& scans, const RepeatabilityCases& cases,
-                          const FeatureEvaluationParams& params, FeatureEvaluation& result) {
-  FalkoDetector detector;
-  DescriptorExtractor extractor;
-  std::vector<double> times;
-  std::vector<DescribedKeypoint> features;
-  for (const PosedScan& posed : scans) {
-    const std::vector<Keypoint> keypoints = detector.detect(posed.scan);
-    times.push_back(microseconds_of([&] { extractor.extract(posed.scan, keypoints, features); }));
+// Describes the keypoints of a scan in all ways.
+class FeatureComparison {
+ public:
+  explicit FeatureComparison(KeypointFunction detect) : detect_(std::move(detect)) {}
+
+  std::vector<ComparedFeature> operator()(const LaserScan& scan) {
+    const std::vector<Keypoint> keypoints = detect_(scan);
+    bsc_and_cgh_times_.push_back(
+        microseconds_of([&] { descriptors_.extract(scan, keypoints, described_); }));
+    beta_grid_times_.push_back(
+        microseconds_of([&] { beta_grids_.extract(scan, keypoints, grids_); }));
+    std::vector<ComparedFeature> features;
+    for (std::size_t i = 0; i < keypoints.size(); ++i) {
+      features.push_back({keypoints[i], described_[i].bsc, described_[i].cgh, grids_[i]});
+    }
+    return features;
   }
-  result.descriptor_time = summarize(std::move(times));
-  result.descriptors = study_descriptors(
-      scans, cases, params.repeatability, params.descriptors,
-      [&](const LaserScan& scan) { return extractor.extract(scan, detector.detect(scan)); });
+
+  Timing bsc_and_cgh_time() const { return summarize(bsc_and_cgh_times_); }
+  Timing beta_grid_time() const { return summarize(beta_grid_times_); }
+
+ private:
+  KeypointFunction detect_;
+  DescriptorExtractor descriptors_;
+  BetaGridExtractor beta_grids_;
+  std::vector<DescribedKeypoint> described_;
+  std::vector<BetaGrid> grids_;
+  std::vector<double> bsc_and_cgh_times_, beta_grid_times_;
+};
+
+DescriptorEvaluation evaluate_descriptors(const NamedDetector& detector,
+                                          const std::vector<PosedScan>& scans,
+                                          const RepeatabilityCases& cases,
+                                          const FeatureEvaluationParams& params) {
+  FeatureComparison timed(detector.detect);
+  for (const PosedScan& posed : scans) timed(posed.scan);
+  FeatureComparison compare(detector.detect);
+  return {detector.name,
+          study_descriptors(scans, cases, params.repeatability, params.descriptors,
+                            [&](const LaserScan& scan) { return compare(scan); }),
+          timed.bsc_and_cgh_time(), timed.beta_grid_time()};
 }
 
 }  // namespace
@@ -89,16 +124,22 @@ FeatureEvaluation evaluate_features(const std::vector<PosedScan>& scans,
 
   FalkoDetector falko;
   OrthogonalCornerDetector orthogonal;
+  FlirtDetector curvature;
+  FlirtDetector range(flirt_range_params());
   const std::vector<NamedDetector> detectors = {
       {"FALKO", [&](const LaserScan& scan) { return falko.detect(scan); }},
       {"FALKO, literal", [](const LaserScan& scan) { return literal_falko(scan); }},
-      {"OC", [&](const LaserScan& scan) { return orthogonal.detect(scan); }}};
+      {"OC", [&](const LaserScan& scan) { return orthogonal.detect(scan); }},
+      {"FLIRT curvature", [&](const LaserScan& scan) { return curvature.detect(scan); }},
+      {"FLIRT range", [&](const LaserScan& scan) { return range.detect(scan); }}};
   for (const NamedDetector& detector : detectors) {
     tell(detector.name);
     result.detectors.push_back(evaluate(detector, scans, cases, params));
   }
-  tell("descriptors");
-  evaluate_descriptors(scans, cases, params, result);
+  for (const std::size_t i : {kFalko, kFlirtCurvature}) {
+    tell("descriptors of " + detectors[i].name + " keypoints");
+    result.descriptors.push_back(evaluate_descriptors(detectors[i], scans, cases, params));
+  }
   return result;
 }
 

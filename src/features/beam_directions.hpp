@@ -16,15 +16,21 @@ class BeamDirections {
  public:
   /// False if nothing had to be done.
   bool assign(const LaserScan& scan) {
-    if (scan.angle_min == angle_min_ && scan.angle_increment == angle_increment_ &&
-        scan.size() == directions_.size()) {
+    return assign(scan.angle_min, scan.angle_increment, scan.size());
+  }
+
+  /// The same for `beams` directions from `angle_min` on.
+  bool assign(double angle_min, double angle_increment, std::size_t beams) {
+    if (angle_min == angle_min_ && angle_increment == angle_increment_ &&
+        beams == directions_.size()) {
       return false;
     }
-    angle_min_ = scan.angle_min;
-    angle_increment_ = scan.angle_increment;
+    angle_min_ = angle_min;
+    angle_increment_ = angle_increment;
     directions_.clear();
-    for (std::size_t i = 0; i < scan.size(); ++i) {
-      directions_.emplace_back(std::cos(scan.bearing(i)), std::sin(scan.bearing(i)));
+    for (std::size_t i = 0; i < beams; ++i) {
+      const double bearing = angle_min + static_cast<double>(i) * angle_increment;
+      directions_.emplace_back(std::cos(bearing), std::sin(bearing));
     }
     return true;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "beam_directions.hpp"
+#include "beam_window.hpp"
 #include "falko_slam/common/validation.hpp"
 #include "falko_slam/features/sector_grid.hpp"
 
@@ -35,28 +36,6 @@ CircularGaussian circular_gaussian(int bins, double sigma) {
   CircularGaussian gaussian{static_cast<std::size_t>(reach), {}};
   for (const double weight : weights) gaussian.weights.push_back(static_cast<float>(weight / sum));
   return gaussian;
-}
-
-// The beams that may lie within `radius` of a keypoint: so many on either side of its own.
-struct BeamWindow {
-  std::ptrdiff_t below, above;
-};
-
-BeamWindow window_around(const LaserScan& scan, const Keypoint& keypoint,
-                         const Eigen::Vector2d& direction, double radius) {
-  const auto beams = static_cast<std::ptrdiff_t>(scan.size());
-  const auto center = static_cast<std::ptrdiff_t>(keypoint.beam);
-  const BeamWindow whole =
-      scan.closed ? BeamWindow{(beams - 1) / 2, beams / 2} : BeamWindow{center, beams - 1 - center};
-  // As seen along the keypoint's beam, which its refined position may lie off.
-  const double along = keypoint.position.dot(direction);
-  const double off = (keypoint.position - along * direction).norm();
-  const double sine = (radius + off) / along;
-  if (!(sine > 0.0 && sine < 1.0)) return whole;
-  const double angle =  // at least asin(sine)
-      sine < 0.5 ? sine * (1.0 + 0.19 * sine * sine) : std::asin(sine);
-  const auto lag = static_cast<std::ptrdiff_t>(std::ceil(angle / scan.angle_increment));
-  return {std::min(lag, whole.below), std::min(lag, whole.above)};
 }
 
 }  // namespace
@@ -153,18 +132,11 @@ void DescriptorExtractor::Workspace::spread(Cgh& cgh) {
 void DescriptorExtractor::Workspace::describe(const LaserScan& scan, DescribedKeypoint& feature) {
   feature.bsc.words.assign(words, 0);
   std::fill(points_in_sector.begin(), points_in_sector.end(), 0);
-  const auto [below, above] =
+  const BeamWindow window =
       window_around(scan, feature.keypoint, directions[feature.keypoint.beam], radius);
-  const auto beams = static_cast<std::ptrdiff_t>(scan.size());
-  const auto first = static_cast<std::ptrdiff_t>(feature.keypoint.beam) - below;
-  const auto last = static_cast<std::ptrdiff_t>(feature.keypoint.beam) + above;
-  const auto add = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    add_points(scan, feature.keypoint, static_cast<std::size_t>(begin),
-               static_cast<std::size_t>(end), feature.bsc);
-  };
-  if (first < 0) add(first + beams, beams);
-  add(std::max<std::ptrdiff_t>(first, 0), std::min(last + 1, beams));
-  if (last >= beams) add(0, last + 1 - beams);
+  for_each_run(scan, feature.keypoint, window, [&](std::size_t begin, std::size_t end) {
+    add_points(scan, feature.keypoint, begin, end, feature.bsc);
+  });
   spread(feature.cgh);
 }
 

@@ -8,8 +8,10 @@
 #include <map>
 
 #include "falko_slam/evaluation/scan_perturbation.hpp"
+#include "falko_slam/features/beta_grid.hpp"
 #include "falko_slam/features/descriptor_extractor.hpp"
 #include "falko_slam/features/falko.hpp"
+#include "falko_slam/features/flirt.hpp"
 #include "falko_slam/features/orthogonal_corner.hpp"
 #include "recorded_scans.hpp"
 
@@ -63,6 +65,26 @@ void detect(benchmark::State& state) {
   set_counters(state, found);
 }
 
+struct FlirtRangeDetector : FlirtDetector {
+  FlirtRangeDetector() : FlirtDetector(flirt_range_params()) {}
+};
+
+template <class Detector>
+void describe_by_beta_grid(benchmark::State& state) {
+  const auto& scans = scans_of(static_cast<int>(state.range(0)));
+  Detector detector;
+  std::vector<std::vector<Keypoint>> keypoints;
+  for (const LaserScan& scan : scans) keypoints.push_back(detector.detect(scan));
+  BetaGridExtractor extractor;
+  std::vector<BetaGrid> grids;
+  std::size_t described = 0;
+  for_each_scan(state, scans.size(), [&](std::size_t i) {
+    extractor.extract(scans[i], keypoints[i], grids);
+    described += grids.size();
+  });
+  set_counters(state, described);
+}
+
 void describe_keypoints(benchmark::State& state) {
   const auto& scans = scans_of(static_cast<int>(state.range(0)));
   FalkoDetector detector;
@@ -88,6 +110,29 @@ BENCHMARK_TEMPLATE(detect, FalkoDetector)
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_TEMPLATE(detect, OrthogonalCornerDetector)
     ->Name("OC")
+    ->Arg(360)
+    ->Arg(1440)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_TEMPLATE(detect, FlirtDetector)
+    ->Name("FLIRT curvature")
+    ->Arg(180)
+    ->Arg(360)
+    ->Arg(720)
+    ->Arg(1440)
+    ->Arg(2880)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_TEMPLATE(detect, FlirtRangeDetector)
+    ->Name("FLIRT range")
+    ->Arg(360)
+    ->Arg(1440)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_TEMPLATE(describe_by_beta_grid, FlirtDetector)
+    ->Name("beta-grid, FLIRT curvature")
+    ->Arg(360)
+    ->Arg(1440)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_TEMPLATE(describe_by_beta_grid, FalkoDetector)
+    ->Name("beta-grid, FALKO")
     ->Arg(360)
     ->Arg(1440)
     ->Unit(benchmark::kMicrosecond);

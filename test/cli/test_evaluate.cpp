@@ -56,7 +56,10 @@ TEST_F(EvaluateFeaturesCommand, WritesItsFiguresWithTheirConditions) {
   EXPECT_EQ(figures.at("conditions").at("reference_scans"), 2);
   EXPECT_EQ(figures.at("conditions").at("map_orders"), 3);
   EXPECT_EQ(figures.at("conditions").at("seed"), 5);
-  ASSERT_EQ(figures.at("detectors").size(), 3U);
+  ASSERT_EQ(figures.at("detectors").size(), 5U);
+  EXPECT_EQ(figures.at("detectors")[3].at("name"), "FLIRT curvature");
+  const json& conditions = figures.at("descriptors").at(0).at("conditions");
+  EXPECT_EQ(conditions.at(0).at("curves").at(2).at("descriptor"), "beta-grid");
   const json& start_angle = figures.at("detectors")[0].at("repeatability").at("start_angle");
   EXPECT_EQ(start_angle.at("mean"), 1.0);
 }

@@ -9,23 +9,24 @@
 namespace falko_slam {
 namespace {
 
-DescribedKeypoint described(const Eigen::Vector2d& position, unsigned cells, float share) {
-  DescribedKeypoint feature;
+ComparedFeature described(const Eigen::Vector2d& position, unsigned cells, float share) {
+  ComparedFeature feature;
   feature.keypoint.position = position;
   feature.bsc.words = {cells};
   feature.cgh.bins = {share, 1.0F - share};
+  feature.beta_grid = {{share, 0.5F}, {0.05F, 0.08F}};
   return feature;
 }
 
 // Two points that look different from each other, and the same in every scan.
-std::vector<DescribedKeypoint> telling(const LaserScan&) {
+std::vector<ComparedFeature> telling(const LaserScan&) {
   return {described({1.0, 0.0}, 0x0fU, 0.2F), described({0.0, 1.0}, 0xf0U, 0.9F)};
 }
 
 // Two points of which each looks as the other does in the scan before.
 class Misleading {
  public:
-  std::vector<DescribedKeypoint> operator()(const LaserScan& scan) {
+  std::vector<ComparedFeature> operator()(const LaserScan& scan) {
     auto features = telling(scan);
     if (swap_) std::swap(features[0].keypoint, features[1].keypoint);
     swap_ = !swap_;
@@ -60,8 +61,9 @@ TEST_F(StudyDescriptors, GoesThroughItsConditions) {
 
 TEST_F(StudyDescriptors, DescriptorsThatTellPointsApartArePureAndComplete) {
   for (const auto& curves : study(telling)) {
-    for (const auto& curve : {curves.bsc, curves.cgh}) {
-      ASSERT_EQ(curve.size(), 1U) << curves.condition;
+    ASSERT_EQ(curves.curves.size(), 3U);
+    for (const auto& [descriptor, curve] : curves.curves) {
+      ASSERT_EQ(curve.size(), 1U) << curves.condition << " " << descriptor;
       EXPECT_EQ(curve[0].threshold, 0.0);
       EXPECT_EQ(curve[0].precision, 1.0);
       EXPECT_EQ(curve[0].recall, 1.0);
@@ -74,15 +76,20 @@ TEST_F(StudyDescriptors, DescriptorsThatMisleadAreAtTheLevelOfChance) {
   conditions_.sampling_levels.clear();
   const auto curves = study(Misleading());
   // Both pairs of one point have the distance at which all four pairs are taken.
-  ASSERT_EQ(curves[0].bsc.size(), 1U);
-  EXPECT_EQ(curves[0].bsc[0].threshold, 8.0);
-  EXPECT_EQ(curves[0].bsc[0].precision, 0.5);
+  for (const auto& [descriptor, curve] : curves[0].curves) {
+    ASSERT_EQ(curve.size(), 1U) << descriptor;
+    EXPECT_EQ(curve[0].precision, 0.5) << descriptor;
+  }
+  EXPECT_EQ(curves[0].curves[0].descriptor, "BSC");
+  EXPECT_EQ(curves[0].curves[0].points[0].threshold, 8.0);
 }
 
 TEST_F(StudyDescriptors, LeavesOutPairsOfOtherOverlaps) {
   for (const double overlap : {0.45, 0.95}) {
     cases_.viewpoints[0].overlap = overlap;
-    EXPECT_TRUE(study(telling)[0].bsc.empty()) << overlap;
+    for (const auto& curve : study(telling)[0].curves) {
+      EXPECT_TRUE(curve.points.empty()) << overlap;
+    }
   }
 }
 
@@ -90,8 +97,10 @@ TEST_F(StudyDescriptors, ComparesPointsInTheMap) {
   // Nothing is the same point once the second scan stands 5 m off.
   scans_[1].map_T_laser = {5.0, 0.0, 0.0};
   const auto curves = study(telling);
-  EXPECT_TRUE(curves[0].bsc.empty());
-  EXPECT_FALSE(curves[1].bsc.empty());
+  for (std::size_t i = 0; i < curves[0].curves.size(); ++i) {
+    EXPECT_TRUE(curves[0].curves[i].points.empty());
+    EXPECT_FALSE(curves[1].curves[i].points.empty());
+  }
 }
 
 }  // namespace

@@ -37,10 +37,12 @@ std::vector<double> figures(const FeatureEvaluation& evaluation) {
       add_values(values);
     }
   }
-  for (const auto& curves : evaluation.descriptors) {
-    for (const auto& curve : {curves.bsc, curves.cgh}) {
-      for (const auto& point : curve) {
-        all.insert(all.end(), {point.threshold, point.precision, point.recall});
+  for (const auto& descriptors : evaluation.descriptors) {
+    for (const auto& curves : descriptors.conditions) {
+      for (const auto& curve : curves.curves) {
+        for (const auto& point : curve.points) {
+          all.insert(all.end(), {point.threshold, point.precision, point.recall});
+        }
       }
     }
   }
@@ -79,15 +81,29 @@ TEST_F(EvaluateFeatures, TheStartAngleIsNothingToFalko) {
   EXPECT_EQ(falko.repeatability.start_angle.mean, 1.0);
 }
 
-TEST_F(EvaluateFeatures, ComparesThreeDetectors) {
+TEST_F(EvaluateFeatures, ComparesFiveDetectors) {
   std::vector<std::string> told;
   const auto evaluation =
       evaluate_features(scans_, params_, [&](const std::string& what) { told.push_back(what); });
-  ASSERT_EQ(evaluation.detectors.size(), 3U);
+  ASSERT_EQ(evaluation.detectors.size(), 5U);
   for (const auto& detector : evaluation.detectors) {
     EXPECT_GT(detector.keypoints_per_scan, 0.0) << detector.name;
     EXPECT_EQ(detector.map.size(), params_.map_radii.size());
     EXPECT_NE(std::find(told.begin(), told.end(), detector.name), told.end()) << detector.name;
+  }
+}
+
+TEST_F(EvaluateFeatures, ComparesThreeDescriptorsOnTheKeypointsOfTwoDetectors) {
+  const auto evaluation = evaluate();
+  ASSERT_EQ(evaluation.descriptors.size(), 2U);
+  EXPECT_EQ(evaluation.descriptors[0].detector, "FALKO");
+  EXPECT_EQ(evaluation.descriptors[1].detector, "FLIRT curvature");
+  for (const auto& descriptors : evaluation.descriptors) {
+    ASSERT_EQ(descriptors.conditions.size(), 4U);
+    for (const auto& condition : descriptors.conditions) {
+      ASSERT_EQ(condition.curves.size(), 3U);
+      EXPECT_EQ(condition.curves[2].descriptor, "beta-grid");
+    }
   }
 }
 

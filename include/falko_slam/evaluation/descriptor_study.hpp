@@ -8,17 +8,37 @@
 
 #include "falko_slam/evaluation/descriptor_curve.hpp"
 #include "falko_slam/evaluation/repeatability_study.hpp"
-#include "falko_slam/features/descriptor_extractor.hpp"
+#include "falko_slam/features/beta_grid.hpp"
+#include "falko_slam/features/descriptors.hpp"
 
 namespace falko_slam {
 
-using FeatureFunction = std::function<std::vector<DescribedKeypoint>(const LaserScan&)>;
+/// A keypoint with all descriptors that are compared.
+struct ComparedFeature {
+  Keypoint keypoint;
+  Bsc bsc;
+  Cgh cgh;
+  BetaGrid beta_grid;
+};
+using FeatureFunction = std::function<std::vector<ComparedFeature>(const LaserScan&)>;
 
-/// The curves of Fig. 3.9 of \cite kallasi2017 for one condition.
+/// One of the descriptors of a feature.
+struct NamedDescriptor {
+  std::string name;
+  std::function<double(const ComparedFeature&, const ComparedFeature&)> distance;
+};
+/// "BSC", "CGH" and "beta-grid".
+const std::vector<NamedDescriptor>& compared_descriptors();
+
+struct DescriptorCurve {
+  std::string descriptor;
+  std::vector<PrecisionRecall> points;
+};
+
+/// The curves of Fig. 3.9 of \cite kallasi2017 for one condition, one for each descriptor.
 struct DescriptorCurves {
   std::string condition;
-  std::vector<PrecisionRecall> bsc;
-  std::vector<PrecisionRecall> cgh;
+  std::vector<DescriptorCurve> curves;
 };
 
 struct DescriptorStudyParams {

@@ -35,12 +35,19 @@ struct DetectorEvaluation {
   RepeatabilityResult repeatability;
 };
 
+struct DescriptorEvaluation {
+  std::string detector;                      ///< whose keypoints are described
+  std::vector<DescriptorCurves> conditions;  ///< viewpoint, noise, subsampling, oversampling
+  Timing bsc_and_cgh;                        ///< of all keypoints of a scan, from one pass
+  Timing beta_grid;                          ///< of all keypoints of a scan
+};
+
 struct FeatureEvaluation {
   std::size_t scans = 0;
   std::size_t viewpoint_pairs = 0;
-  std::vector<DetectorEvaluation> detectors;  ///< FALKO, FALKO read literally, OC
-  std::vector<DescriptorCurves> descriptors;  ///< of FALKO keypoints
-  Timing descriptor_time;                     ///< BSC and CGH of all keypoints of a scan
+  /// FALKO, FALKO read literally, OC, FLIRT on curvature, FLIRT on ranges.
+  std::vector<DetectorEvaluation> detectors;
+  std::vector<DescriptorEvaluation> descriptors;  ///< of FALKO and of FLIRT curvature keypoints
 };
 
 /// Tables 3.1 and 3.2 and Figs. 3.8 and 3.9 of \cite kallasi2017 for one log, all with the default
