@@ -42,7 +42,7 @@ std::vector<Query> random_queries(const RandomSets& sets) {
   std::uniform_real_distribution<double> place(-sets.half_width, sets.half_width);
   std::uniform_real_distribution<double> heading(-kPi, kPi);
   std::normal_distribution<double> noise(0.0, 0.02);
-  std::normal_distribution<double> turn(0.0, sets.orientation_noise);
+  std::normal_distribution<double> turn(0.0, std::max(1e-9, sets.orientation_noise));
   std::vector<Query> queries;
   for (int run = 0; run < 50; ++run) {
     const Pose2 pose(3.0, -2.0, heading(random));
