@@ -187,6 +187,7 @@ void match(benchmark::State& state) {
   Matcher matcher;
   std::vector<double> times;
   std::size_t pairs = 0;
+  std::size_t proven = 0;
   std::size_t matches = 0;
   std::size_t next = 0;
   for (auto _ : state) {
@@ -194,13 +195,16 @@ void match(benchmark::State& state) {
     if (++next == all.size()) next = 0;
     const std::clock_t start = std::clock();
     for (std::size_t i = 0; i < query.targets.size(); ++i) {
-      pairs += matcher(query.source, query.targets[i], query.target_T_source[i]).pairs.size();
+      const MatchResult result = matcher(query.source, query.targets[i], query.target_T_source[i]);
+      pairs += result.pairs.size();
+      proven += result.proven ? 1 : 0;
     }
     times.push_back(1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     matches += query.targets.size();
   }
   state.counters["median"] = percentile(times, 0.5);
   state.counters["p99"] = percentile(times, 0.99);
+  state.counters["proven"] = static_cast<double>(proven) / static_cast<double>(matches);
   state.counters["pairs"] = static_cast<double>(pairs) / static_cast<double>(matches);
 }
 
