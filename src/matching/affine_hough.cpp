@@ -15,6 +15,7 @@ namespace falko_slam {
 void validate(const AffineHoughParams& params) {
   require_in_range("range", params.range, 0.1, 100.0);
   require_in_range("cell", params.cell, 0.01, 10.0);
+  require_in_range("range / cell", params.range / params.cell, 1.0, 2000.0);
   require_in_range("heading_step", params.heading_step, 0.002, 1.0);
   require_in_range("orientation_gate", params.orientation_gate, 0.0, kPi);
   require_in_range("residual_noise", params.residual_noise, 0.0, 10.0);

@@ -42,7 +42,7 @@ std::vector<Query> random_queries(const RandomSets& sets) {
   std::uniform_real_distribution<double> place(-sets.half_width, sets.half_width);
   std::uniform_real_distribution<double> heading(-kPi, kPi);
   std::normal_distribution<double> noise(0.0, 0.02);
-  std::normal_distribution<double> turn(0.0, sets.orientation_noise);
+  std::normal_distribution<double> turn(0.0, std::max(1e-9, sets.orientation_noise));
   std::vector<Query> queries;
   for (int run = 0; run < 50; ++run) {
     const Pose2 pose(3.0, -2.0, heading(random));
@@ -187,6 +187,7 @@ void match(benchmark::State& state) {
   Matcher matcher;
   std::vector<double> times;
   std::size_t pairs = 0;
+  std::size_t proven = 0;
   std::size_t matches = 0;
   std::size_t next = 0;
   for (auto _ : state) {
@@ -194,13 +195,16 @@ void match(benchmark::State& state) {
     if (++next == all.size()) next = 0;
     const std::clock_t start = std::clock();
     for (std::size_t i = 0; i < query.targets.size(); ++i) {
-      pairs += matcher(query.source, query.targets[i], query.target_T_source[i]).pairs.size();
+      const MatchResult result = matcher(query.source, query.targets[i], query.target_T_source[i]);
+      pairs += result.pairs.size();
+      proven += result.proven ? 1 : 0;
     }
     times.push_back(1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     matches += query.targets.size();
   }
   state.counters["median"] = percentile(times, 0.5);
   state.counters["p99"] = percentile(times, 0.99);
+  state.counters["proven"] = static_cast<double>(proven) / static_cast<double>(matches);
   state.counters["pairs"] = static_cast<double>(pairs) / static_cast<double>(matches);
 }
 

@@ -137,6 +137,10 @@ TEST(AffineHough, RefusesParametersOutOfRange) {
   params = {};
   params.heading_step = 0.0;
   EXPECT_THROW(validate(params), std::invalid_argument);
+  params = {};
+  params.range = 100.0;
+  params.cell = 0.01;
+  EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace falko_slam {
 
 struct AffineHoughParams {
-  /// The translation is looked for in [-range, range] in x and in y. [0.1, 100] [m]
+  /// The translation is looked for in [-range, range] in x and in y; at most 2000 cells.
+  /// [0.1, 100] [m]
   double range = 5.0;
   double cell = 0.10;          ///< Delta_x and Delta_y [0.01, 10] [m]
   double heading_step = 0.04;  ///< Delta_theta, rounded to a part of the circle [0.002, 1] [rad]
