@@ -14,6 +14,9 @@ struct Segment {
   double length;     ///< [m]
   double direction;  ///< from the first point to the second [rad]
   std::uint32_t first, second;
+  /// Orientations of both points relative to the direction, in 2^-32 turns: differences wrap by
+  /// themselves. Meaningless where the point has no orientation.
+  std::uint32_t first_turn, second_turn;
 };
 
 /// Replaces `segments` by all pairs of usable points that are at least `min_length` [m]

@@ -55,6 +55,7 @@ class TwoPointMatcher::Search {
     std::size_t support;
   };
 
+  void prepare(const std::vector<MatchPoint>& source);
   void choose_query_segments(std::size_t points);
   void find_hypotheses(const std::vector<MatchPoint>& source, const std::vector<MatchPoint>& target,
                        const PairPredicate& may_match);
@@ -64,11 +65,27 @@ class TwoPointMatcher::Search {
 
   TwoPointMatcherParams params_;
   PointBitmap bitmap_;
+  std::vector<MatchPoint> source_;  // that query_ was chosen from
+  std::vector<char> source_oriented_, target_oriented_;
   std::vector<Segment> unasked_, query_, target_segments_;
   std::vector<std::size_t> uses_;
   std::vector<Hypothesis> hypotheses_;
   std::vector<MatchPair> pairs_;
 };
+
+// One scan is often matched with many: what is known of the last source is kept.
+void TwoPointMatcher::Search::prepare(const std::vector<MatchPoint>& source) {
+  const auto same = [](const MatchPoint& a, const MatchPoint& b) {
+    return a.position == b.position &&
+           (a.orientation == b.orientation || (!a.has_orientation() && !b.has_orientation()));
+  };
+  if (std::equal(source.begin(), source.end(), source_.begin(), source_.end(), same)) return;
+  source_ = source;
+  source_oriented_.clear();
+  for (const MatchPoint& point : source) source_oriented_.push_back(point.has_orientation());
+  find_segments(source, params_.min_segment, unasked_);
+  choose_query_segments(source.size());
+}
 
 // The longest segments, but each point in turn: none is asked the (n + 1)-th time while a segment
 // between two points asked less than n times is left.
@@ -98,12 +115,18 @@ void TwoPointMatcher::Search::choose_query_segments(std::size_t points) {
 void TwoPointMatcher::Search::find_hypotheses(const std::vector<MatchPoint>& source,
                                               const std::vector<MatchPoint>& target,
                                               const PairPredicate& may_match) {
-  const auto fits = [&](const MatchPair& pair, double heading) {
-    return may_pair(source[pair.source], target[pair.target], heading, params_.orientation_gate) &&
-           (!may_match || may_match(pair.source, pair.target));
+  constexpr std::uint32_t kHalfTurn = 1U << 31;
+  const auto gate = static_cast<std::uint32_t>(params_.orientation_gate / kTwoPi * 4294967296.0);
+  // May the points pair, their orientations being turned so far from the directions of their
+  // segments?
+  const auto fits = [&](std::uint32_t s, std::uint32_t source_turn, std::uint32_t t,
+                        std::uint32_t target_turn) {
+    if (source_oriented_[s] && target_oriented_[t] && source_turn - target_turn + gate > 2 * gate) {
+      return false;
+    }
+    return !may_match || may_match(s, t);
   };
-  const auto try_pairs = [&](const MatchPair& a, const MatchPair& b, double heading) {
-    if (!fits(a, heading) || !fits(b, heading)) return;
+  const auto try_pairs = [&](const MatchPair& a, const MatchPair& b) {
     const TwoPointMotion motion = motion_of(a, b, source, target);
     std::size_t support = 0;
     for (const MatchPoint& point : source) {
@@ -114,9 +137,14 @@ void TwoPointMatcher::Search::find_hypotheses(const std::vector<MatchPoint>& sou
   hypotheses_.clear();
   for_each_equal_length(query_, target_segments_, params_.distance_tolerance,
                         [&](const Segment& s, const Segment& t) {
-                          const double heading = t.direction - s.direction;
-                          try_pairs({s.first, t.first}, {s.second, t.second}, heading);
-                          try_pairs({s.first, t.second}, {s.second, t.first}, heading + kPi);
+                          if (fits(s.first, s.first_turn, t.first, t.first_turn) &&
+                              fits(s.second, s.second_turn, t.second, t.second_turn)) {
+                            try_pairs({s.first, t.first}, {s.second, t.second});
+                          }
+                          if (fits(s.first, s.first_turn, t.second, t.second_turn + kHalfTurn) &&
+                              fits(s.second, s.second_turn, t.first, t.first_turn + kHalfTurn)) {
+                            try_pairs({s.first, t.second}, {s.second, t.first});
+                          }
                         });
 }
 
@@ -147,11 +175,12 @@ bool TwoPointMatcher::Search::known(const Pose2& pose,
 std::vector<MatchResult> TwoPointMatcher::Search::run(const std::vector<MatchPoint>& source,
                                                       const std::vector<MatchPoint>& target,
                                                       const PairPredicate& may_match) {
-  find_segments(source, params_.min_segment, unasked_);
+  prepare(source);
   find_segments(target, std::max(1e-3, params_.min_segment - params_.distance_tolerance),
                 target_segments_);
-  choose_query_segments(source.size());
+  target_oriented_.clear();
   for (const MatchPoint& point : target) {
+    target_oriented_.push_back(point.has_orientation());
     if (point.usable()) bitmap_.mark(point.position);
   }
   find_hypotheses(source, target, may_match);

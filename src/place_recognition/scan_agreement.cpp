@@ -22,8 +22,9 @@ double distance_to(const SurfacePoint& surface, const Eigen::Vector2d& point) {
   const Eigen::Vector2d difference = point - surface.position;
   if (surface.normal.isZero(0.0)) return difference.norm();
   const double across = surface.normal.dot(difference);
-  const Eigen::Vector2d along = difference - across * surface.normal;
-  return std::hypot(across, std::max(0.0, along.norm() - surface.length));
+  const double along = difference.x() * surface.normal.y() - difference.y() * surface.normal.x();
+  const double beyond = std::max(0.0, std::abs(along) - surface.length);
+  return std::sqrt(across * across + beyond * beyond);
 }
 
 Footing footing(const ScanView& view, const Eigen::Vector2d& point) {
