@@ -74,7 +74,8 @@ void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   here.normal = normal.dot(here.position) > 0.0 ? Eigen::Vector2d(-normal) : normal;
   const Eigen::Vector2d next = all_[beside(beam, 1, params)].position;
   const Eigen::Vector2d previous = all_[beside(beam, -1, params)].position;
-  here.length = std::max(kLoneLength, 0.5 * (next - previous).norm());
+  const double length = 0.5 * (next - previous).norm();
+  if (length > 0.0) here.length = length;
 }
 
 void ScanView::keep_points(double spacing) {
