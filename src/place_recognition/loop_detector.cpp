@@ -63,6 +63,8 @@ struct LoopDetector::Memory {
 void validate(const LoopDetectorParams& params) {
   validate(params.keyframe);
   validate(params.matcher);
+  validate(params.agreement);
+  validate(params.registration);
   require_in_range("candidates", params.candidates, 1, 1000);
   require_in_range("verified", params.verified, 1, 1000);
   require_in_range("compared", params.compared, 1, 100);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "falko_slam/common/validation.hpp"
+
 namespace falko_slam {
 namespace {
 
@@ -46,6 +48,17 @@ Footing footing(const ScanView& view, const Eigen::Vector2d& point) {
 }
 
 }  // namespace
+
+void validate(const AgreementParams& params) {
+  require_in_range("tolerance", params.tolerance, 1e-3, 10.0);
+  require_in_range("see_through", params.see_through, 0.0, 100.0);
+}
+
+void validate(const RegistrationParams& params) {
+  require_in_range("iterations", params.iterations, 1, 1000);
+  require_in_range("first_gate", params.first_gate, 1e-3, 100.0);
+  require_in_range("last_gate", params.last_gate, 1e-3, 100.0);
+}
 
 Agreement& Agreement::operator+=(const Agreement& other) {
   points += other.points;

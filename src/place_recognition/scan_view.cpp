@@ -19,6 +19,7 @@ constexpr double kLoneLength = 0.02;
 void validate(const ScanViewParams& params) {
   require_in_range("point_spacing", params.point_spacing, 0.0, 10.0);
   require_in_range("max_range", params.max_range, 0.1, 1e5);
+  require_in_range("normal_reach", params.normal_reach, 0.0, 10.0);
   require_in_range("max_step", params.max_step, 0.0, 100.0);
   require_in_range("step_ratio", params.step_ratio, 0.0, 1000.0);
 }
@@ -40,25 +41,41 @@ ScanView::ScanView(const LaserScan& scan, const ScanViewParams& params)
   keep_points(params.point_spacing);
 }
 
-// Normal and length of the wall about a beam, from the beams beside it on the same surface.
+// The beam that follows `beam` in a direction (1 or -1) on the same surface; itself if none does.
+std::size_t ScanView::beside(std::size_t beam, int direction, const ScanViewParams& params) const {
+  const std::size_t last = all_.size() - 1;
+  const std::size_t end = direction > 0 ? last : 0;
+  if (beam == end && !closed_) return beam;
+  const std::size_t other = beam == end ? last - end : direction > 0 ? beam + 1 : beam - 1;
+  if (all_[other].length <= 0.0) return beam;
+  const double across = std::min(ranges_[beam], ranges_[other]) * angle_increment_;
+  const double step = (all_[beam].position - all_[other].position).norm();
+  return step < std::max(params.max_step, params.step_ratio * across) ? other : beam;
+}
+
+// Normal and length of the wall about a beam, from the beams beside it on the same surface. The
+// normal looks `normal_reach` far: next beams may be nearer than their noise.
 void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   SurfacePoint& here = all_[beam];
   if (here.length <= 0.0) return;
-  const auto beside = [&](std::size_t other) {
-    if (all_[other].length <= 0.0) return beam;
-    const double across = std::min(ranges_[beam], ranges_[other]) * angle_increment_;
-    const double step = (here.position - all_[other].position).norm();
-    return step < std::max(params.max_step, params.step_ratio * across) ? other : beam;
+  const auto at_reach = [&](int direction) {
+    std::size_t at = beam;
+    for (std::size_t steps = 0; 2 * steps < all_.size(); ++steps) {
+      const std::size_t next = beside(at, direction, params);
+      if (next == at) break;
+      at = next;
+      if ((all_[at].position - here.position).norm() >= params.normal_reach) break;
+    }
+    return all_[at].position;
   };
-  const std::size_t last = all_.size() - 1;
-  const std::size_t right = beam > 0 ? beside(beam - 1) : closed_ ? beside(last) : beam;
-  const std::size_t left = beam < last ? beside(beam + 1) : closed_ ? beside(0) : beam;
-  const Eigen::Vector2d along = all_[left].position - all_[right].position;
-  const double length = along.norm();
-  if (length <= 0.0) return;
-  const Eigen::Vector2d normal(-along.y() / length, along.x() / length);
+  const Eigen::Vector2d along = at_reach(1) - at_reach(-1);
+  if (along.isZero(0.0)) return;
+  const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
   here.normal = normal.dot(here.position) > 0.0 ? Eigen::Vector2d(-normal) : normal;
-  here.length = std::max(kLoneLength, 0.5 * length);
+  const Eigen::Vector2d next = all_[beside(beam, 1, params)].position;
+  const Eigen::Vector2d previous = all_[beside(beam, -1, params)].position;
+  const double length = 0.5 * (next - previous).norm();
+  if (length > 0.0) here.length = length;
 }
 
 void ScanView::keep_points(double spacing) {

@@ -11,12 +11,14 @@
 namespace falko_slam {
 
 struct AgreementParams {
-  /// A point within this distance of the other scan's surface agrees with it. [m]
+  /// A point within this distance of the other scan's surface agrees with it. [0.001, 10] [m]
   double tolerance = 0.10;
   /// A point this far in front of what the other scan saw in its direction contradicts it: the beam
-  /// has passed through. [m]
+  /// has passed through. [0, 100] [m]
   double see_through = 0.30;
 };
+/// Throws std::invalid_argument with the field and its value.
+void validate(const AgreementParams& params);
 
 /// What one scan says of the points of another one. Numbers of points, and lengths of wall [m].
 struct Agreement {
@@ -45,10 +47,13 @@ Agreement agreement(const ScanView& target, const ScanView& source, const Pose2&
                     const AgreementParams& params = {}, std::size_t stride = 1);
 
 struct RegistrationParams {
-  int iterations = 8;
-  double first_gate = 0.5;  ///< distance of points that are paired in the first iteration [m]
-  double last_gate = 0.15;  ///< and from the middle on [m]
+  int iterations = 8;  ///< at most [1, 1000]
+  /// Distance of points that are paired up to the middle, and from there on. [0.001, 100] [m]
+  double first_gate = 0.5;
+  double last_gate = 0.15;
 };
+/// Throws std::invalid_argument with the field and its value.
+void validate(const RegistrationParams& params);
 
 struct Registration {
   PoseEstimate target_T_source;

@@ -23,6 +23,8 @@ struct ScanViewParams {
   double point_spacing = 0.05;
   /// Farther beams are left out. [m]
   double max_range = 30.0;
+  /// Normals are taken over this length of wall to either side. [m]
+  double normal_reach = 0.10;
   /// A point is joined to its neighbour if the step is shorter than this, or than step_ratio times
   /// their distance at perpendicular incidence. [m]
   double max_step = 0.15;
@@ -50,6 +52,7 @@ class ScanView {
   double range(std::size_t beam) const { return ranges_[beam]; }
 
  private:
+  std::size_t beside(std::size_t beam, int direction, const ScanViewParams& params) const;
   void measure_wall(std::size_t beam, const ScanViewParams& params);
   void keep_points(double spacing);
 
