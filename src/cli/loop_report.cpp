@@ -3,6 +3,7 @@
 #include "loop_report.hpp"
 
 #include <cstdio>
+#include <string>
 
 namespace falko_slam {
 
@@ -34,6 +35,15 @@ static void to_json(nlohmann::json& json, const LoopMethodResult& result) {
 }
 
 namespace cli {
+namespace {
+
+std::string three_digits(double number) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%5.3f", number);
+  return text;
+}
+
+}  // namespace
 
 void print_report(const std::vector<LoopMethodResult>& results) {
   const LoopMethodResult* last = nullptr;
@@ -48,10 +58,11 @@ void print_report(const std::vector<LoopMethodResult>& results) {
     }
     last = &result;
     const LoopSummary& s = result.summary;
+    const std::string break_even = s.break_even > 0.0 ? three_digits(s.break_even) : "-";
     std::printf(
-        "  %-14s       %5.3f                %5.3f  %5.3f        %5.3f         "
+        "  %-14s       %5s                %5.3f  %5.3f        %5.3f         "
         "%6.3f      %6.3f  %6.3f %6.3f\n",
-        result.method.c_str(), s.break_even, s.recall_at_100, s.recall_at_95, s.f1,
+        result.method.c_str(), break_even.c_str(), s.recall_at_100, s.recall_at_95, s.f1,
         result.creation.mean, result.closing.mean, result.closing.median, result.closing.p99);
     const LoopOperatingPoint& point = result.working_point;
     if (point.closures > 0) {
