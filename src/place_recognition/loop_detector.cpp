@@ -41,10 +41,12 @@ struct LoopDetector::Memory {
   explicit Memory(const LoopDetectorParams& params)
       : builder(params.keyframe),
         matcher(one_match_each(params.matcher)),
+        rival_matcher(params.matcher),
         index(params.keyframe.glare.direction_cells, 2 * params.keyframe.glare.distance_cells) {}
 
   KeyframeBuilder builder;
-  TwoPointMatcher matcher;
+  TwoPointMatcher matcher;        // one pose for each candidate
+  TwoPointMatcher rival_matcher;  // several for the best one
   SignatureIndex index;
   std::vector<Keyframe> keyframes;
 
@@ -58,6 +60,12 @@ struct LoopDetector::Memory {
                    const LoopDetectorParams& params) const;
   Neighborhood neighborhood(KeyframeId center, std::size_t end,
                             const LoopDetectorParams& params) const;
+  void ask_neighbors(const Keyframe& source, LoopCandidate& candidate,
+                     const LoopDetectorParams& params) const;
+  bool contradict(const LoopCandidate& a, const LoopCandidate& b,
+                  const LoopDetectorParams& params) const;
+  bool ambiguous(const Keyframe& source, const std::vector<LoopCandidate>& candidates,
+                 const LoopDetectorParams& params);
 };
 
 void validate(const LoopDetectorParams& params) {
@@ -73,6 +81,10 @@ void validate(const LoopDetectorParams& params) {
   require_in_range("max_neighbors", params.max_neighbors, 0, 100);
   require_in_range("min_path", params.min_path, 0.0, 1e6);
   require_in_range("min_score", params.min_score, 0.0, 1.0);
+  require_in_range("ambiguity", params.ambiguity, 0.0, 1.0);
+  require_in_range("contradicting_distance", params.contradicting_distance, 0.0, 100.0);
+  require_in_range("contradicting_turn", params.contradicting_turn, 0.0, kPi);
+  require_in_range("drift", params.drift, 0.0, 1.0);
 }
 
 const char* name_of(LoopVerdict verdict) {
@@ -89,6 +101,8 @@ const char* name_of(LoopVerdict verdict) {
       return "alignment moved away from the keypoints";
     case LoopVerdict::kLowScore:
       return "score too low";
+    case LoopVerdict::kAmbiguous:
+      return "a contradicting place is nearly as good";
     case LoopVerdict::kNotBest:
       return "another candidate is better";
     case LoopVerdict::kAccepted:
@@ -187,6 +201,52 @@ Neighborhood LoopDetector::Memory::neighborhood(KeyframeId center, std::size_t e
   return result;
 }
 
+void LoopDetector::Memory::ask_neighbors(const Keyframe& source, LoopCandidate& candidate,
+                                         const LoopDetectorParams& params) const {
+  // Nothing that came after the source, unless later places were asked for.
+  const KeyframeId target = candidate.target;
+  const std::size_t end = target < source.id ? source.id.value : keyframes.size();
+  const Agreement neighbors = neighborhood_agreement(
+      neighborhood(target, end, params), neighborhood(source.id, source.id.value + 1, params),
+      candidate.target_T_source->pose, params.agreement);
+  candidate.score = neighborhood_score(candidate.scan_score, neighbors);
+}
+
+bool LoopDetector::Memory::contradict(const LoopCandidate& a, const LoopCandidate& b,
+                                      const LoopDetectorParams& params) const {
+  const Keyframe& target_a = at(a.target);
+  const Keyframe& target_b = at(b.target);
+  const Pose2 difference = (target_a.odom_T_laser * a.target_T_source->pose).inverse() *
+                           (target_b.odom_T_laser * b.target_T_source->pose);
+  const double way = std::abs(target_a.path - target_b.path);
+  return difference.translation().norm() > params.contradicting_distance + params.drift * way ||
+         std::abs(difference.theta()) > params.contradicting_turn;
+}
+
+// Is there a place nearly as good as the first candidate's that contradicts it? Among the other
+// candidates, or by another match with the same keyframe.
+bool LoopDetector::Memory::ambiguous(const Keyframe& source,
+                                     const std::vector<LoopCandidate>& candidates,
+                                     const LoopDetectorParams& params) {
+  const LoopCandidate& best = candidates.front();
+  const auto rivals = [&](const LoopCandidate& other) {
+    return other.score >= params.ambiguity * best.score && contradict(best, other, params);
+  };
+  if (std::any_of(candidates.begin() + 1, candidates.end(),
+                  [&](const LoopCandidate& other) { return other.score > 0.0 && rivals(other); })) {
+    return true;
+  }
+  for (const MatchResult& match : rival_matcher.match(source.points, at(best.target).points)) {
+    LoopCandidate other = best;
+    other.target_T_source = match.target_T_source;
+    if (!contradict(best, other, params)) continue;
+    if (verify(source, other, params) != LoopVerdict::kLowScore) continue;
+    ask_neighbors(source, other, params);
+    if (rivals(other)) return true;
+  }
+  return false;
+}
+
 LoopDetector::LoopDetector(const LoopDetectorParams& params)
     : params_((validate(params), params)), memory_(std::make_unique<Memory>(params)) {}
 LoopDetector::~LoopDetector() = default;
@@ -218,23 +278,19 @@ LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits) {
   };
   LoopDetection detection{memory_->match(source, admitted, params_)};
   memory_->verify_best(source, detection.candidates, params_);
-
-  const Neighborhood behind = memory_->neighborhood(id, id.value + 1, params_);
   int left = params_.compared;
   for (LoopCandidate& candidate : detection.candidates) {
     if (candidate.verdict != LoopVerdict::kLowScore || left-- == 0) break;
-    // Nothing that came after the source, unless later places were asked for.
-    const std::size_t end = candidate.target < id ? id.value : memory_->keyframes.size();
-    const Neighborhood around = memory_->neighborhood(candidate.target, end, params_);
-    candidate.score = neighborhood_score(
-        candidate.scan_score,
-        neighborhood_agreement(around, behind, candidate.target_T_source->pose, params_.agreement));
+    memory_->ask_neighbors(source, candidate, params_);
     if (candidate.score >= params_.min_score) candidate.verdict = LoopVerdict::kNotBest;
   }
   std::stable_sort(detection.candidates.begin(), detection.candidates.end(), better);
   if (!detection.candidates.empty()) {
     LoopVerdict& best = detection.candidates.front().verdict;
-    if (best == LoopVerdict::kNotBest) best = LoopVerdict::kAccepted;
+    if (best == LoopVerdict::kNotBest) {
+      best = memory_->ambiguous(source, detection.candidates, params_) ? LoopVerdict::kAmbiguous
+                                                                       : LoopVerdict::kAccepted;
+    }
   }
   return detection;
 }

@@ -107,5 +107,27 @@ TEST(DegenerateScenes, NoLoopWithTheMirrorImageOfAPlace) {
   EXPECT_EQ(accepted_in_copy(-1.0), 0U);
 }
 
+// The other way round the room looks the same from the point opposite.
+TEST(DegenerateScenes, AnEmptyRectangularRoomIsMostlyFoundAmbiguous) {
+  Scene scene;
+  scene.add_box({}, {12.0, 6.0});
+  auto random = test::seeded_random();
+  const Pose2 turned(0.0, 0.0, kPi);
+  const auto way =
+      test::joined(straight({-5.0, -0.7, 0.0}, 4.5, 0.5), straight({-0.5, 0.7, kPi}, 4.5, 0.5));
+  test::Poses opposite;
+  for (const Pose2& pose : way) opposite.push_back(turned * pose);
+  LoopDetector detector =
+      test::detector_of(test::drive(scene, test::joined(way, opposite), random));
+  std::size_t ambiguous = 0;
+  std::size_t accepted = 0;
+  for (const LoopDetection& detection : test::detect_all(detector)) {
+    if (detection.candidates.empty()) continue;
+    ambiguous += detection.candidates[0].verdict == LoopVerdict::kAmbiguous ? 1U : 0U;
+    accepted += detection.accepted() != nullptr ? 1U : 0U;
+  }
+  EXPECT_GT(ambiguous, 2 * accepted);
+}
+
 }  // namespace
 }  // namespace falko_slam

@@ -37,6 +37,14 @@ struct LoopDetectorParams {
   double min_path = 10.0;
   /// Loops with at least this score are accepted. Greater: fewer false ones, and fewer. [0, 1]
   double min_score = 0.55;
+  /// The best loop is refused if a contradicting one has at least this share of its score: another
+  /// pose to the same keyframe, or to another one that puts the source elsewhere. [0, 1]
+  double ambiguity = 0.9;
+  /// Places contradict each other if they differ by more than this [m] and drift times the way
+  /// between their keyframes, or by more than contradicting_turn [rad].
+  double contradicting_distance = 0.5;
+  double contradicting_turn = 0.35;
+  double drift = 0.05;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const LoopDetectorParams& params);
@@ -49,6 +57,7 @@ enum class LoopVerdict {
   kNotRegistered,  ///< too few points to align, or a direction is open
   kMovedAway,      ///< alignment ended far from where the keypoints had put it
   kLowScore,       ///< below `min_score`
+  kAmbiguous,      ///< best, but a contradicting place is nearly as good
   kNotBest,        ///< good, but another candidate is better
   kAccepted,
 };
