@@ -29,5 +29,14 @@ inline CLI::Validator number_in(double min, double max) {
   return CLI::Validator(check, range.str());
 }
 
+/// A check of --json where the tables already go to the console.
+inline CLI::Validator a_file() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return text == "-" ? std::string("must be a file: the tables go to the console") : "";
+      },
+      "FILE");
+}
+
 }  // namespace cli
 }  // namespace falko_slam

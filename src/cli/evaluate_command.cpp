@@ -44,7 +44,8 @@ void add_features(CLI::App& evaluate) {
   verb->add_option("logs", options->logs,
                    "CARMEN logs: VERTEX2 before ROBOTLASER1, or FLASER with corrected poses")
       ->required();
-  verb->add_option("--json", options->json, "write all figures; scripts/plot_features draws them");
+  verb->add_option("--json", options->json, "write all figures; scripts/plot_features draws them")
+      ->check(a_file());
   verb->add_option("--references", conditions.reference_scans,
                    "reference scans drawn at random, default 100")
       ->check(CLI::Range(1, 1000000));
@@ -94,7 +95,8 @@ void add_loops(CLI::App& evaluate) {
   verb->add_option("logs", options->logs,
                    "CARMEN logs: VERTEX2 before ROBOTLASER1, or FLASER with corrected poses")
       ->required();
-  verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them");
+  verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them")
+      ->check(a_file());
   verb->add_option("--candidates", options->params.candidates,
                    "nearest signatures that the thesis' methods associate, default 10")
       ->check(CLI::Range(1, 1000));

@@ -31,7 +31,10 @@ static void to_json(nlohmann::json& json, const LoopMethodResult& result) {
           {"curve", result.curve},
           {"creation", result.creation},
           {"closing", result.closing}};
-  if (result.working_point.closures > 0) json["working_point"] = result.working_point;
+  if (result.accepted.closures > 0) {
+    json["accepted"] = result.accepted;
+    json["ambiguous"] = result.ambiguous;
+  }
 }
 
 namespace cli {
@@ -64,12 +67,12 @@ void print_report(const std::vector<LoopMethodResult>& results) {
         "%6.3f      %6.3f  %6.3f %6.3f\n",
         result.method.c_str(), break_even.c_str(), s.recall_at_100, s.recall_at_95, s.f1,
         result.creation.mean, result.closing.mean, result.closing.median, result.closing.p99);
-    const LoopOperatingPoint& point = result.working_point;
+    const LoopOperatingPoint& point = result.accepted;
     if (point.closures > 0) {
       std::printf(
-          "  %-14s accepted at its default score of %.2f: %zu closures, %zu wrong; recall "
-          "%.3f\n",
-          "", point.min_score, point.closures, point.wrong, point.recall);
+          "  %-14s accepted by itself, at a score of %.2f: %zu closures, %zu wrong; recall "
+          "%.3f; %zu refused as ambiguous\n",
+          "", point.min_score, point.closures, point.wrong, point.recall, result.ambiguous);
     }
   }
 }

@@ -1,7 +1,9 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 
 #include "commands.hpp"
 
@@ -22,6 +24,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0) throw std::runtime_error("standard output is full");
   return 0;
 }
 

@@ -45,14 +45,15 @@ LoopTiming timing_of(std::vector<double> times) {
 }
 
 LoopMethodResult run(const std::string& name, const Method& method, LoopProtocol protocol,
-                     const LoopTruth& truth, const LoopTiming& creation) {
+                     const LoopTruth& truth, const LoopTiming& creation,
+                     std::vector<LoopAnswer>& answers) {
   LoopMethodResult result;
   result.method = name;
   result.protocol = protocol;
   result.scans = truth.scans();
   result.loops = truth.loops();
   result.creation = creation;
-  std::vector<LoopAnswer> answers(truth.scans());
+  answers.assign(truth.scans(), {});
   std::vector<double> times;
   for (std::size_t source = 0; source < truth.scans(); ++source) {
     std::optional<Closure> closure;
@@ -135,9 +136,10 @@ class Glarot {
   LoopTiming creation_;
 };
 
+// The curve is that of the best candidates, the ambiguous ones too: what the scores can tell.
 LoopMethodResult run_detector(LoopDetector& detector, LoopProtocol protocol, const LoopTruth& truth,
                               const LoopTiming& creation) {
-  std::vector<LoopAnswer> answers;
+  std::vector<LoopVerdict> verdicts(truth.scans(), LoopVerdict::kNotMatched);
   const Method method = [&](std::size_t source, const LoopTruth&) -> std::optional<Closure> {
     const LoopDetection detection = detector.detect({source}, [&](const Keyframe& target) {
       return truth.admits(source, static_cast<std::size_t>(target.id.value));
@@ -145,15 +147,17 @@ LoopMethodResult run_detector(LoopDetector& detector, LoopProtocol protocol, con
     if (detection.candidates.empty()) return std::nullopt;
     const LoopCandidate& best = detection.candidates.front();
     if (best.score <= 0.0) return std::nullopt;
+    verdicts[source] = best.verdict;
     return Closure{static_cast<std::size_t>(best.target.value), best.score,
                    best.target_T_source->pose};
   };
-  LoopMethodResult result = run("falko_slam", method, protocol, truth, creation);
-  result.working_point.min_score = detector.params().min_score;
-  for (const LoopOperatingPoint& point : result.curve) {
-    if (point.min_score >= detector.params().min_score) result.working_point = point;
+  std::vector<LoopAnswer> answers;
+  LoopMethodResult result = run("falko_slam", method, protocol, truth, creation, answers);
+  for (std::size_t source = 0; source < answers.size(); ++source) {
+    if (verdicts[source] != LoopVerdict::kAccepted) answers[source].closed = false;
+    result.ambiguous += verdicts[source] == LoopVerdict::kAmbiguous ? 1U : 0U;
   }
-  result.working_point.min_score = detector.params().min_score;
+  result.accepted = operating_point(answers, detector.params().min_score);
   return result;
 }
 
@@ -191,7 +195,8 @@ std::vector<LoopMethodResult> evaluate_loops(const std::vector<PosedScan>& scans
       const Method method = [&, &chosen = associate](std::size_t source, const LoopTruth& t) {
         return glarot.close(source, t, chosen);
       };
-      results.push_back(run(name, method, protocol, truth, glarot.creation()));
+      std::vector<LoopAnswer> answers;
+      results.push_back(run(name, method, protocol, truth, glarot.creation(), answers));
     }
     tell(std::string("falko_slam ") + name_of(protocol));
     results.push_back(run_detector(detector, protocol, truth, creation));

@@ -59,6 +59,7 @@ std::string read_bag(const std::string& path, const std::string& wanted,
       use(as_raw_scan(*message));
       ++count;
     }
+    if (count == 0) throw std::runtime_error(path + ": no laser scan on " + topic);
     return std::to_string(count) + " scans on " + topic;
   } catch (const ros::Exception& error) {  // of the bag or of a message in it
     throw std::runtime_error(path + ": " + error.what());

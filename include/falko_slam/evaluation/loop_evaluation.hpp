@@ -34,7 +34,8 @@ struct LoopMethodResult {
   std::size_t scans = 0;
   std::size_t loops = 0;
   LoopSummary summary;
-  LoopOperatingPoint working_point;  ///< at the default threshold; of our detector only
+  LoopOperatingPoint accepted;  ///< what our detector accepts by itself; of no other method
+  std::size_t ambiguous = 0;    ///< scans whose best loop it refused as ambiguous
   std::vector<LoopOperatingPoint> curve;
   LoopTiming creation;  ///< keypoints and signature
   LoopTiming closing;   ///< search, association and verification of one scan
