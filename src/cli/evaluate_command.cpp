@@ -12,23 +12,40 @@ namespace falko_slam {
 namespace cli {
 namespace {
 
-struct EvaluateFeaturesOptions {
+template <class Params>
+struct EvaluateOptions {
   std::vector<std::string> logs;
   std::string json;
-  FeatureEvaluationParams params;
+  Params params;
 };
+using EvaluateFeaturesOptions = EvaluateOptions<FeatureEvaluationParams>;
+using EvaluateLoopsOptions = EvaluateOptions<LoopEvaluationParams>;
 
-void evaluate_logs(const EvaluateFeaturesOptions& options) {
+void tell(const std::string& what) { std::cerr << what << " ...\n"; }
+
+// Evaluates, prints the tables and returns the figures.
+nlohmann::json evaluate(const std::vector<PosedScan>& scans,
+                        const FeatureEvaluationParams& params) {
+  const FeatureEvaluation evaluation = evaluate_features(scans, params, tell);
+  print_report(evaluation, params);
+  return as_json(evaluation, params);
+}
+
+nlohmann::json evaluate(const std::vector<PosedScan>& scans, const LoopEvaluationParams& params) {
+  const std::vector<LoopMethodResult> results = evaluate_loops(scans, params, tell);
+  print_report(results);
+  return {{"methods", as_json(results)}};
+}
+
+template <class Params>
+void evaluate_logs(const EvaluateOptions<Params>& options) {
   nlohmann::json document = nlohmann::json::array();
   for (const std::string& log : options.logs) {
     CarmenReport report;
     const std::vector<PosedScan> scans = load_posed_scans(log, report);
     std::cout << log << ": " << describe(report) << "\n";
-    const FeatureEvaluation evaluation = evaluate_features(
-        scans, options.params, [](const std::string& what) { std::cerr << what << " ...\n"; });
-    print_report(evaluation, options.params);
+    nlohmann::json entry = evaluate(scans, options.params);
     std::cout << "\n" << std::flush;
-    nlohmann::json entry = as_json(evaluation, options.params);
     entry["log"] = log.substr(log.find_last_of('/') + 1);
     document.push_back(entry);
   }
@@ -63,29 +80,6 @@ void add_features(CLI::App& evaluate) {
                    "random orders of the scans that Table 3.1 is averaged over, default 10")
       ->check(CLI::Range(1, 1000));
   verb->callback([options] { evaluate_logs(*options); });
-}
-
-struct EvaluateLoopsOptions {
-  std::vector<std::string> logs;
-  std::string json;
-  LoopEvaluationParams params;
-};
-
-void evaluate_logs(const EvaluateLoopsOptions& options) {
-  nlohmann::json document = nlohmann::json::array();
-  for (const std::string& log : options.logs) {
-    CarmenReport report;
-    const std::vector<PosedScan> scans = load_posed_scans(log, report);
-    std::cout << log << ": " << describe(report) << "\n";
-    const std::vector<LoopMethodResult> results = evaluate_loops(
-        scans, options.params, [](const std::string& what) { std::cerr << what << " ...\n"; });
-    print_report(results);
-    std::cout << "\n" << std::flush;
-    document.push_back(
-        {{"log", log.substr(log.find_last_of('/') + 1)}, {"methods", as_json(results)}});
-  }
-  std::cout << describe_resources() << "\n";
-  if (!options.json.empty()) write_json(options.json, document);
 }
 
 void add_loops(CLI::App& evaluate) {

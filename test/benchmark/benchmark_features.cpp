@@ -69,29 +69,15 @@ struct FlirtRangeDetector : FlirtDetector {
   FlirtRangeDetector() : FlirtDetector(flirt_range_params()) {}
 };
 
-template <class Detector>
-void describe_by_beta_grid(benchmark::State& state) {
+// `Features`: what the extractor fills.
+template <class Detector, class Extractor, class Features>
+void describe_keypoints(benchmark::State& state) {
   const auto& scans = scans_of(static_cast<int>(state.range(0)));
   Detector detector;
   std::vector<std::vector<Keypoint>> keypoints;
   for (const LaserScan& scan : scans) keypoints.push_back(detector.detect(scan));
-  BetaGridExtractor extractor;
-  std::vector<BetaGrid> grids;
-  std::size_t described = 0;
-  for_each_scan(state, scans.size(), [&](std::size_t i) {
-    extractor.extract(scans[i], keypoints[i], grids);
-    described += grids.size();
-  });
-  set_counters(state, described);
-}
-
-void describe_keypoints(benchmark::State& state) {
-  const auto& scans = scans_of(static_cast<int>(state.range(0)));
-  FalkoDetector detector;
-  std::vector<std::vector<Keypoint>> keypoints;
-  for (const LaserScan& scan : scans) keypoints.push_back(detector.detect(scan));
-  DescriptorExtractor extractor;
-  std::vector<DescribedKeypoint> features;
+  Extractor extractor;
+  Features features;
   std::size_t described = 0;
   for_each_scan(state, scans.size(), [&](std::size_t i) {
     extractor.extract(scans[i], keypoints[i], features);
@@ -126,17 +112,18 @@ BENCHMARK_TEMPLATE(detect, FlirtRangeDetector)
     ->Arg(360)
     ->Arg(1440)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(describe_by_beta_grid, FlirtDetector)
+BENCHMARK_TEMPLATE(describe_keypoints, FlirtDetector, BetaGridExtractor, std::vector<BetaGrid>)
     ->Name("beta-grid, FLIRT curvature")
     ->Arg(360)
     ->Arg(1440)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(describe_by_beta_grid, FalkoDetector)
+BENCHMARK_TEMPLATE(describe_keypoints, FalkoDetector, BetaGridExtractor, std::vector<BetaGrid>)
     ->Name("beta-grid, FALKO")
     ->Arg(360)
     ->Arg(1440)
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK(describe_keypoints)
+BENCHMARK_TEMPLATE(describe_keypoints, FalkoDetector, DescriptorExtractor,
+                   std::vector<DescribedKeypoint>)
     ->Name("BSC and CGH")
     ->Arg(360)
     ->Arg(1440)
