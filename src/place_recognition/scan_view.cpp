@@ -78,15 +78,31 @@ void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   if (length > 0.0) here.length = length;
 }
 
+// A point is the mean of the beams within `spacing` of the first of them: to pick one of them by its
+// distance would prefer those whose noise points along the way.
 void ScanView::keep_points(double spacing) {
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();
+  double count = 0.0;
+  const auto finish = [&] {
+    if (count == 0.0) return;
+    points_.back().position /= count;
+    points_.back().normal = points_.back().normal.stableNormalized();
+  };
   for (const SurfacePoint& here : all_) {
     if (here.length <= 0.0) continue;
-    if (!points_.empty() && (here.position - points_.back().position).norm() < spacing) {
+    if (count > 0.0 && (here.position - first).norm() < spacing) {
+      points_.back().position += here.position;
+      points_.back().normal += here.normal;
       points_.back().length += here.length;
-    } else {
-      points_.push_back(here);
+      ++count;
+      continue;
     }
+    finish();
+    points_.push_back(here);
+    first = here.position;
+    count = 1.0;
   }
+  finish();
 }
 
 std::optional<std::size_t> ScanView::beam_at(double bearing) const {

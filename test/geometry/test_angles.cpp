@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "support/seeds.hpp"
@@ -43,6 +45,20 @@ TEST(AngleBetween, IsTheShortestTurn) {
   EXPECT_NEAR(angle_between(kPi - 0.1, -kPi + 0.1), 0.2, 1e-12);
   EXPECT_NEAR(angle_between(-kPi + 0.1, kPi - 0.1), -0.2, 1e-12);
   EXPECT_NEAR(angle_between(0.3, 0.3), 0.0, 1e-15);
+}
+
+TEST(ApproximateAtan2, IsNearTheExactOneAllAround) {
+  double worst = 0.0;
+  for (const double radius : {1e-9, 1.0, 1e9}) {
+    for (int i = 0; i <= 100000; ++i) {
+      const double angle = -kPi + kTwoPi * i / 100000;
+      const double y = radius * std::sin(angle);
+      const double x = radius * std::cos(angle);
+      worst = std::max(worst, std::abs(approximate_atan2(y, x) - std::atan2(y, x)));
+    }
+  }
+  EXPECT_LT(worst, 2e-5);
+  EXPECT_EQ(approximate_atan2(0.0, 0.0), 0.0);
 }
 
 TEST(Degrees, ConvertBothWays) {

@@ -13,6 +13,7 @@
 #include "falko_slam/matching/two_point_matcher.hpp"
 #include "falko_slam/place_recognition/keyframe.hpp"
 #include "falko_slam/place_recognition/loop_scores.hpp"
+#include "falko_slam/place_recognition/scan_registration.hpp"
 
 namespace falko_slam {
 
