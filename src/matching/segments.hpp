@@ -26,8 +26,8 @@ void find_segments(const std::vector<MatchPoint>& points, double min_length,
 
 /// Calls visit(s, t) for all segments whose lengths differ by less than `tolerance`, by ascending
 /// s, then t. Both must be sorted by length.
-template <class Visit>
-void for_each_equal_length(const std::vector<Segment>& source, const std::vector<Segment>& target,
+template <class Target, class Visit>
+void for_each_equal_length(const std::vector<Segment>& source, const std::vector<Target>& target,
                            double tolerance, Visit visit) {
   std::size_t begin = 0;
   for (const Segment& s : source) {

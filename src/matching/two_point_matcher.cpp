@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +21,30 @@ namespace {
 // How often each wanted match may be looked for in vain.
 constexpr std::size_t kTriesPerMatch = 8;
 constexpr int kRefinements = 2;
+
+// How much support a hypothesis needs to be refined: as long as one match is wanted, more than `tries`
+// better ones leave it no chance.
+class SupportBar {
+ public:
+  void reset(std::size_t least, std::size_t most, std::size_t tries) {
+    needed_ = least;
+    tries_ = tries;
+    better_ = 0;
+    counts_.assign(most + 1, 0);
+  }
+  std::size_t needed() const { return needed_; }
+  void pass(std::size_t support) {
+    ++counts_[support];
+    if (support > needed_) ++better_;
+    while (better_ >= tries_) better_ -= counts_[++needed_];
+  }
+
+ private:
+  std::size_t needed_ = 0;
+  std::size_t tries_ = 0;
+  std::size_t better_ = 0;  // than needed_
+  std::vector<std::size_t> counts_;
+};
 
 bool by_length(const Segment& a, const Segment& b) {
   return std::tie(a.length, a.first, a.second) < std::tie(b.length, b.first, b.second);
@@ -40,14 +65,25 @@ void validate(const TwoPointMatcherParams& params) {
   require_in_range("residual_noise", params.residual_noise, 0.0, 10.0);
 }
 
+TwoPointTarget::TwoPointTarget(std::vector<MatchPoint> points, const TwoPointMatcherParams& params)
+    : points_(std::move(points)) {
+  std::vector<falko_slam::Segment> exact;
+  find_segments(points_, std::max(1e-3, params.min_segment - params.distance_tolerance), exact);
+  segments_.reserve(exact.size());
+  for (const falko_slam::Segment& segment : exact) {
+    segments_.push_back({static_cast<float>(segment.length), segment.first, segment.second,
+                         static_cast<std::uint16_t>(segment.first_turn >> 16),
+                         static_cast<std::uint16_t>(segment.second_turn >> 16)});
+  }
+}
+
 class TwoPointMatcher::Search {
  public:
   explicit Search(const TwoPointMatcherParams& params)
       : params_(params), bitmap_(params.inlier_distance) {}
 
-  std::vector<MatchResult> run(const std::vector<MatchPoint>& source,
-                               const std::vector<MatchPoint>& target,
-                               const PairPredicate& may_match);
+  std::vector<MatchResult> run(const std::vector<MatchPoint>& source, const TwoPointTarget& target,
+                               std::size_t min_pairs, const PairPredicate& may_match);
 
  private:
   struct Hypothesis {
@@ -57,8 +93,9 @@ class TwoPointMatcher::Search {
 
   void prepare(const std::vector<MatchPoint>& source);
   void choose_query_segments(std::size_t points);
-  void find_hypotheses(const std::vector<MatchPoint>& source, const std::vector<MatchPoint>& target,
-                       const PairPredicate& may_match);
+  void find_hypotheses(const std::vector<MatchPoint>& source, const TwoPointTarget& target,
+                       std::size_t min_pairs, const PairPredicate& may_match);
+  void count_support(const TwoPointMotion& motion);
   MatchResult refine(const Hypothesis& hypothesis, const std::vector<MatchPoint>& source,
                      const std::vector<MatchPoint>& target, const PairGates& gates);
   bool known(const Pose2& pose, const std::vector<MatchResult>& matches) const;
@@ -66,10 +103,12 @@ class TwoPointMatcher::Search {
   TwoPointMatcherParams params_;
   PointBitmap bitmap_;
   std::vector<MatchPoint> source_;  // that query_ was chosen from
+  std::vector<Eigen::Vector2d> source_positions_;  // of the usable ones
   std::vector<char> source_oriented_, target_oriented_;
-  std::vector<Segment> unasked_, query_, target_segments_;
+  std::vector<Segment> unasked_, query_;
   std::vector<std::size_t> uses_;
   std::vector<Hypothesis> hypotheses_;
+  SupportBar bar_;
   std::vector<MatchPair> pairs_;
 };
 
@@ -82,7 +121,11 @@ void TwoPointMatcher::Search::prepare(const std::vector<MatchPoint>& source) {
   if (std::equal(source.begin(), source.end(), source_.begin(), source_.end(), same)) return;
   source_ = source;
   source_oriented_.clear();
-  for (const MatchPoint& point : source) source_oriented_.push_back(point.has_orientation());
+  source_positions_.clear();
+  for (const MatchPoint& point : source) {
+    source_oriented_.push_back(point.has_orientation());
+    if (point.usable()) source_positions_.push_back(point.position);
+  }
   find_segments(source, params_.min_segment, unasked_);
   choose_query_segments(source.size());
 }
@@ -112,40 +155,55 @@ void TwoPointMatcher::Search::choose_query_segments(std::size_t points) {
   std::sort(query_.begin(), query_.end(), by_length);
 }
 
+// Gives up where too few points are left to reach the bar; asks seldom, since that is hard to foresee.
+void TwoPointMatcher::Search::count_support(const TwoPointMotion& motion) {
+  constexpr std::size_t kBlock = 8;
+  const std::size_t count = source_positions_.size();
+  std::size_t support = 0;
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    if (support + (count - begin) < bar_.needed()) return;
+    const std::size_t end = std::min(begin + kBlock, count);
+    for (std::size_t i = begin; i < end; ++i) {
+      support += bitmap_.near_marked(motion * source_positions_[i]) ? 1U : 0U;
+    }
+  }
+  if (support < bar_.needed()) return;
+  hypotheses_.push_back({motion, support});
+  bar_.pass(support);
+}
+
 void TwoPointMatcher::Search::find_hypotheses(const std::vector<MatchPoint>& source,
-                                              const std::vector<MatchPoint>& target,
+                                              const TwoPointTarget& target, std::size_t min_pairs,
                                               const PairPredicate& may_match) {
-  constexpr std::uint32_t kHalfTurn = 1U << 31;
-  const auto gate = static_cast<std::uint32_t>(params_.orientation_gate / kTwoPi * 4294967296.0);
+  constexpr std::uint16_t kHalfTurn = 1U << 15;
+  const auto gate = static_cast<std::uint16_t>(params_.orientation_gate / kTwoPi * 65536.0);
   // May the points pair, their orientations being turned so far from the directions of their
   // segments?
   const auto fits = [&](std::uint32_t s, std::uint32_t source_turn, std::uint32_t t,
-                        std::uint32_t target_turn) {
-    if (source_oriented_[s] && target_oriented_[t] && source_turn - target_turn + gate > 2 * gate) {
-      return false;
-    }
+                        std::uint16_t target_turn) {
+    const auto difference = static_cast<std::uint16_t>((source_turn >> 16) - target_turn + gate);
+    if (source_oriented_[s] && target_oriented_[t] && difference > 2 * gate) return false;
     return !may_match || may_match(s, t);
   };
-  const auto try_pairs = [&](const MatchPair& a, const MatchPair& b) {
-    const TwoPointMotion motion = motion_of(a, b, source, target);
-    std::size_t support = 0;
-    for (const MatchPoint& point : source) {
-      support += point.usable() && bitmap_.near_marked(motion * point.position) ? 1U : 0U;
-    }
-    hypotheses_.push_back({motion, support});
-  };
+  const auto turned = [](std::uint16_t turn) { return static_cast<std::uint16_t>(turn + kHalfTurn); };
+  const auto wanted = static_cast<std::size_t>(params_.max_matches);
+  const std::size_t tries = wanted == 1 ? kTriesPerMatch : std::numeric_limits<std::size_t>::max();
+  bar_.reset(min_pairs, source_positions_.size(), tries);
   hypotheses_.clear();
-  for_each_equal_length(query_, target_segments_, params_.distance_tolerance,
-                        [&](const Segment& s, const Segment& t) {
-                          if (fits(s.first, s.first_turn, t.first, t.first_turn) &&
-                              fits(s.second, s.second_turn, t.second, t.second_turn)) {
-                            try_pairs({s.first, t.first}, {s.second, t.second});
-                          }
-                          if (fits(s.first, s.first_turn, t.second, t.second_turn + kHalfTurn) &&
-                              fits(s.second, s.second_turn, t.first, t.first_turn + kHalfTurn)) {
-                            try_pairs({s.first, t.second}, {s.second, t.first});
-                          }
-                        });
+  for_each_equal_length(
+      query_, target.segments(), params_.distance_tolerance,
+      [&](const Segment& s, const TwoPointTarget::Segment& t) {
+        if (fits(s.first, s.first_turn, t.first, t.first_turn) &&
+            fits(s.second, s.second_turn, t.second, t.second_turn)) {
+          count_support(
+              motion_of({s.first, t.first}, {s.second, t.second}, source, target.points()));
+        }
+        if (fits(s.first, s.first_turn, t.second, turned(t.second_turn)) &&
+            fits(s.second, s.second_turn, t.first, turned(t.first_turn))) {
+          count_support(
+              motion_of({s.first, t.second}, {s.second, t.first}, source, target.points()));
+        }
+      });
 }
 
 MatchResult TwoPointMatcher::Search::refine(const Hypothesis& hypothesis,
@@ -173,22 +231,22 @@ bool TwoPointMatcher::Search::known(const Pose2& pose,
 }
 
 std::vector<MatchResult> TwoPointMatcher::Search::run(const std::vector<MatchPoint>& source,
-                                                      const std::vector<MatchPoint>& target,
+                                                      const TwoPointTarget& target_set,
+                                                      std::size_t min_pairs,
                                                       const PairPredicate& may_match) {
+  const std::vector<MatchPoint>& target = target_set.points();
+  const std::size_t fewest = std::max(min_pairs, static_cast<std::size_t>(params_.min_pairs));
   prepare(source);
-  find_segments(target, std::max(1e-3, params_.min_segment - params_.distance_tolerance),
-                target_segments_);
   target_oriented_.clear();
   for (const MatchPoint& point : target) {
     target_oriented_.push_back(point.has_orientation());
     if (point.usable()) bitmap_.mark(point.position);
   }
-  find_hypotheses(source, target, may_match);
+  find_hypotheses(source, target_set, fewest, may_match);
   bitmap_.clear();
 
   const PairGates gates{params_.inlier_distance, params_.orientation_gate, may_match};
   const auto wanted = static_cast<std::size_t>(params_.max_matches);
-  const auto fewest = static_cast<std::size_t>(params_.min_pairs);
   std::vector<MatchResult> matches;
   std::size_t tries = 0;
   for (std::size_t support = source.size(); support >= fewest; --support) {
@@ -221,7 +279,13 @@ TwoPointMatcher& TwoPointMatcher::operator=(TwoPointMatcher&&) noexcept = defaul
 std::vector<MatchResult> TwoPointMatcher::match(const std::vector<MatchPoint>& source,
                                                 const std::vector<MatchPoint>& target,
                                                 const PairPredicate& may_match) {
-  return search_->run(source, target, may_match);
+  return search_->run(source, TwoPointTarget(target, params_), 0, may_match);
+}
+
+std::vector<MatchResult> TwoPointMatcher::match(const std::vector<MatchPoint>& source,
+                                                const TwoPointTarget& target, std::size_t min_pairs,
+                                                const PairPredicate& may_match) {
+  return search_->run(source, target, min_pairs, may_match);
 }
 
 }  // namespace falko_slam

@@ -45,6 +45,7 @@ struct LoopDetector::Memory {
   TwoPointMatcher rival_matcher;  // several for the best one
   SignatureIndex index;
   std::vector<Keyframe> keyframes;
+  std::vector<TwoPointTarget> targets;  // their points
   bool new_drive = false;  // the next keyframe begins one
 
   const Keyframe& at(KeyframeId id) const { return keyframes.at(id.value); }
@@ -79,16 +80,18 @@ std::vector<LoopCandidate> LoopDetector::Memory::match(const Keyframe& source,
                                                        const LoopDetectorParams& params) {
   std::vector<LoopCandidate> candidates;
   if (source.signature.empty()) return candidates;
+  std::size_t most = 0;
   const auto nearest = index.nearest(source.signature, static_cast<std::size_t>(params.candidates),
                                      [&](KeyframeId id) { return admits(at(id)); });
   for (const SignatureMatch& found : nearest) {
     LoopCandidate candidate;
     candidate.target = found.id;
     candidate.signature_distance = found.distance;
-    for (const MatchResult& match : matcher.match(source.points, at(found.id).points)) {
+    for (const MatchResult& match : matcher.match(source.points, targets[found.id.value], most / 2)) {
       candidate.pairs = match.pairs.size();
       candidate.target_T_source = match.target_T_source;
       candidate.verdict = LoopVerdict::kFewerPairs;
+      most = std::max(most, match.pairs.size());
     }
     candidates.push_back(candidate);
   }
@@ -194,7 +197,7 @@ bool LoopDetector::Memory::ambiguous(const Keyframe& source,
                   [&](const LoopCandidate& other) { return other.score > 0.0 && rivals(other); })) {
     return true;
   }
-  for (const MatchResult& match : rival_matcher.match(source.points, at(best.target).points)) {
+  for (const MatchResult& match : rival_matcher.match(source.points, targets[best.target.value])) {
     LoopCandidate other = best;
     other.target_T_source = match.target_T_source;
     if (!contradict(best, other, params)) continue;
@@ -225,6 +228,7 @@ KeyframeId LoopDetector::add(const LaserScan& scan, const Pose2& odom_T_laser) {
   }
   memory_->new_drive = false;
   if (!keyframe.signature.empty()) memory_->index.add(keyframe.id, keyframe.signature);
+  memory_->targets.emplace_back(keyframe.points, params_.matcher);
   memory_->keyframes.push_back(std::move(keyframe));
   return memory_->keyframes.back().id;
 }

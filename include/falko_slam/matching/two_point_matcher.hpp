@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -30,6 +32,27 @@ struct TwoPointMatcherParams {
 /// Throws std::invalid_argument with the field and its value.
 void validate(const TwoPointMatcherParams& params);
 
+/// A set of points made ready to be matched with, for sets that are matched with often.
+class TwoPointTarget {
+ public:
+  explicit TwoPointTarget(std::vector<MatchPoint> points = {},
+                          const TwoPointMatcherParams& params = {});
+
+  const std::vector<MatchPoint>& points() const { return points_; }
+
+  struct Segment {
+    float length;  ///< [m]
+    std::uint32_t first, second;
+    std::uint16_t first_turn, second_turn;  ///< from the segment to the orientation, 2^-16 turns
+  };
+  /// All pairs of points that are far enough apart, the shortest first.
+  const std::vector<Segment>& segments() const { return segments_; }
+
+ private:
+  std::vector<MatchPoint> points_;
+  std::vector<Segment> segments_;
+};
+
 /// The matcher of the loop detector: every source segment and every target segment of the same
 /// length give two motions, a bitmap of the target counts how many source points each of them
 /// brings near a target point, and the best ones that differ are refined.
@@ -51,6 +74,11 @@ class TwoPointMatcher {
   /// At most `max_matches`: most pairs first, then the smallest residual.
   std::vector<MatchResult> match(const std::vector<MatchPoint>& source,
                                  const std::vector<MatchPoint>& target,
+                                 const PairPredicate& may_match = {});
+  /// The same, faster, with a target that was made with the same parameters. None with less than
+  /// `min_pairs` (if that is more than the parameters' one).
+  std::vector<MatchResult> match(const std::vector<MatchPoint>& source,
+                                 const TwoPointTarget& target, std::size_t min_pairs = 0,
                                  const PairPredicate& may_match = {});
 
   const TwoPointMatcherParams& params() const { return params_; }
