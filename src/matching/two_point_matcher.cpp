@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t kTriesPerMatch = 8;
 constexpr int kRefinements = 2;
 
-// How much support a hypothesis needs to be refined: as long as one match is wanted, more than `tries`
-// better ones leave it no chance.
+// How much support a hypothesis needs to be refined: as long as one match is wanted, more than
+// `tries` better ones leave it no chance.
 class SupportBar {
  public:
   void reset(std::size_t least, std::size_t most, std::size_t tries) {
@@ -102,7 +102,7 @@ class TwoPointMatcher::Search {
 
   TwoPointMatcherParams params_;
   PointBitmap bitmap_;
-  std::vector<MatchPoint> source_;  // that query_ was chosen from
+  std::vector<MatchPoint> source_;                 // that query_ was chosen from
   std::vector<Eigen::Vector2d> source_positions_;  // of the usable ones
   std::vector<char> source_oriented_, target_oriented_;
   std::vector<Segment> unasked_, query_;
@@ -155,7 +155,8 @@ void TwoPointMatcher::Search::choose_query_segments(std::size_t points) {
   std::sort(query_.begin(), query_.end(), by_length);
 }
 
-// Gives up where too few points are left to reach the bar; asks seldom, since that is hard to foresee.
+// Gives up where too few points are left to reach the bar; asks seldom, since that is hard to
+// foresee.
 void TwoPointMatcher::Search::count_support(const TwoPointMotion& motion) {
   constexpr std::size_t kBlock = 8;
   const std::size_t count = source_positions_.size();
@@ -185,25 +186,26 @@ void TwoPointMatcher::Search::find_hypotheses(const std::vector<MatchPoint>& sou
     if (source_oriented_[s] && target_oriented_[t] && difference > 2 * gate) return false;
     return !may_match || may_match(s, t);
   };
-  const auto turned = [](std::uint16_t turn) { return static_cast<std::uint16_t>(turn + kHalfTurn); };
+  const auto turned = [](std::uint16_t turn) {
+    return static_cast<std::uint16_t>(turn + kHalfTurn);
+  };
   const auto wanted = static_cast<std::size_t>(params_.max_matches);
   const std::size_t tries = wanted == 1 ? kTriesPerMatch : std::numeric_limits<std::size_t>::max();
   bar_.reset(min_pairs, source_positions_.size(), tries);
   hypotheses_.clear();
-  for_each_equal_length(
-      query_, target.segments(), params_.distance_tolerance,
-      [&](const Segment& s, const TwoPointTarget::Segment& t) {
-        if (fits(s.first, s.first_turn, t.first, t.first_turn) &&
-            fits(s.second, s.second_turn, t.second, t.second_turn)) {
-          count_support(
-              motion_of({s.first, t.first}, {s.second, t.second}, source, target.points()));
-        }
-        if (fits(s.first, s.first_turn, t.second, turned(t.second_turn)) &&
-            fits(s.second, s.second_turn, t.first, turned(t.first_turn))) {
-          count_support(
-              motion_of({s.first, t.second}, {s.second, t.first}, source, target.points()));
-        }
-      });
+  for_each_equal_length(query_, target.segments(), params_.distance_tolerance,
+                        [&](const Segment& s, const TwoPointTarget::Segment& t) {
+                          if (fits(s.first, s.first_turn, t.first, t.first_turn) &&
+                              fits(s.second, s.second_turn, t.second, t.second_turn)) {
+                            count_support(motion_of({s.first, t.first}, {s.second, t.second},
+                                                    source, target.points()));
+                          }
+                          if (fits(s.first, s.first_turn, t.second, turned(t.second_turn)) &&
+                              fits(s.second, s.second_turn, t.first, turned(t.first_turn))) {
+                            count_support(motion_of({s.first, t.second}, {s.second, t.first},
+                                                    source, target.points()));
+                          }
+                        });
 }
 
 MatchResult TwoPointMatcher::Search::refine(const Hypothesis& hypothesis,

@@ -78,8 +78,8 @@ void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   if (length > 0.0) here.length = length;
 }
 
-// A point is the mean of the beams within `spacing` of the first of them: to pick one of them by its
-// distance would prefer those whose noise points along the way.
+// A point is the mean of the beams within `spacing` of the first of them: to pick one of them by
+// its distance would prefer those whose noise points along the way.
 void ScanView::keep_points(double spacing) {
   Eigen::Vector2d first = Eigen::Vector2d::Zero();
   double count = 0.0;

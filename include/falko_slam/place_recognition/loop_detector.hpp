@@ -40,7 +40,7 @@ struct LoopDetectorParams {
   double min_score = 0.55;
   /// The best loop is refused if a contradicting one has at least this share of its score: another
   /// pose to the same keyframe, or to another one that puts the source elsewhere. [0, 1]
-  double ambiguity = 0.9;
+  double ambiguity = 0.5;
   /// Places contradict each other if they differ by more than this [m] and drift times the way
   /// between their keyframes, or by more than contradicting_turn [rad].
   double contradicting_distance = 0.5;
@@ -115,11 +115,10 @@ class LoopDetector {
   std::vector<LoopCandidate> locate(const LaserScan& scan, std::size_t count,
                                     const Admission& admits = {});
 
-  const LoopDetectorParams& params() const { return params_; }
+  const LoopDetectorParams& params() const;
 
  private:
   struct Memory;
-  LoopDetectorParams params_;
   std::unique_ptr<Memory> memory_;
 };
 
