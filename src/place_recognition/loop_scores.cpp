@@ -75,7 +75,7 @@ Agreement neighborhood_agreement(const Neighborhood& target, const Neighborhood&
 double neighborhood_score(double scan_score, const Agreement& neighbors) {
   constexpr double kEnoughAgreement = 0.6;
   const double ratio = neighbors.ratio();
-  return scan_score * ratio * ratio *
+  return scan_score * ratio * ratio * ratio *
          std::min(1.0, share(neighbors.agreeing, neighbors.points) / kEnoughAgreement);
 }
 

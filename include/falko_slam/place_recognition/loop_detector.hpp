@@ -37,10 +37,10 @@ struct LoopDetectorParams {
   /// Keyframes of the same drive less than this length of way back are no loops. [m]
   double min_path = 10.0;
   /// Loops with at least this score are accepted. Greater: fewer false ones, and fewer. [0, 1]
-  double min_score = 0.55;
+  double min_score = 0.4;
   /// The best loop is refused if a contradicting one has at least this share of its score: another
   /// pose to the same keyframe, or to another one that puts the source elsewhere. [0, 1]
-  double ambiguity = 0.5;
+  double ambiguity = 0.4;
   /// Places contradict each other if they differ by more than this [m] and drift times the way
   /// between their keyframes, or by more than contradicting_turn [rad].
   double contradicting_distance = 0.5;

@@ -31,7 +31,7 @@ struct Neighborhood {
 Agreement neighborhood_agreement(const Neighborhood& target, const Neighborhood& source,
                                  const Pose2& target_T_source, const AgreementParams& params = {});
 
-/// scan_score times the squared share of the neighbours' walls that agree, lowered where less than
+/// scan_score times the cubed share of the neighbours' walls that agree, lowered where less than
 /// 0.6 of their points do: look-alike rooms seldom have look-alike neighbours.
 double neighborhood_score(double scan_score, const Agreement& neighbors);
 
