@@ -37,7 +37,9 @@ void pair_under(const Pose2& target_T_source, const std::vector<MatchPoint>& sou
   for (std::size_t s = 0; s < source.size(); ++s) {
     const Eigen::Vector2d moved = target_T_source * source[s].position;
     for (std::size_t t = 0; t < target.size(); ++t) {
-      const double square = (moved - target[t].position).squaredNorm();
+      const Eigen::Vector2d difference = moved - target[t].position;
+      if (!(std::abs(difference.x()) <= gates.distance)) continue;  // nearly all
+      const double square = difference.squaredNorm();
       if (!(square <= gates.distance * gates.distance)) continue;
       if (!may_pair(source[s], target[t], target_T_source.theta(), gates.orientation)) continue;
       if (gates.may_match && !gates.may_match(s, t)) continue;

@@ -46,6 +46,25 @@ class SupportBar {
   std::vector<std::size_t> counts_;
 };
 
+// Whether two orientations may be the same one, each being given from the direction of its segment,
+// in 2^-32 turns and in 2^-16 turns.
+class OrientationGate {
+ public:
+  explicit OrientationGate(double gate)
+      : gate_(static_cast<std::uint32_t>(gate / kTwoPi * 65536.0)) {}
+  bool near(std::uint32_t source_turn, std::uint16_t target_turn) const {
+    const std::uint32_t difference = (source_turn >> 16) - target_turn + gate_;
+    return static_cast<std::uint16_t>(difference) <= 2 * gate_;
+  }
+  /// If the target's segment is taken from its other end.
+  bool near_opposite(std::uint32_t source_turn, std::uint16_t target_turn) const {
+    return near(source_turn + (1U << 31), target_turn);
+  }
+
+ private:
+  std::uint32_t gate_;
+};
+
 bool by_length(const Segment& a, const Segment& b) {
   return std::tie(a.length, a.first, a.second) < std::tie(b.length, b.first, b.second);
 }
@@ -176,36 +195,37 @@ void TwoPointMatcher::Search::count_support(const TwoPointMotion& motion) {
 void TwoPointMatcher::Search::find_hypotheses(const std::vector<MatchPoint>& source,
                                               const TwoPointTarget& target, std::size_t min_pairs,
                                               const PairPredicate& may_match) {
-  constexpr std::uint16_t kHalfTurn = 1U << 15;
-  const auto gate = static_cast<std::uint16_t>(params_.orientation_gate / kTwoPi * 65536.0);
-  // May the points pair, their orientations being turned so far from the directions of their
-  // segments?
-  const auto fits = [&](std::uint32_t s, std::uint32_t source_turn, std::uint32_t t,
-                        std::uint16_t target_turn) {
-    const auto difference = static_cast<std::uint16_t>((source_turn >> 16) - target_turn + gate);
-    if (source_oriented_[s] && target_oriented_[t] && difference > 2 * gate) return false;
-    return !may_match || may_match(s, t);
+  const OrientationGate gate(params_.orientation_gate);
+  const auto oriented = [&](const MatchPair& pair) {
+    return source_oriented_[pair.source] && target_oriented_[pair.target];
   };
-  const auto turned = [](std::uint16_t turn) {
-    return static_cast<std::uint16_t>(turn + kHalfTurn);
+  const auto may_pair = [&](const MatchPair& pair, bool near) {
+    return (near || !oriented(pair)) && (!may_match || may_match(pair.source, pair.target));
   };
+  const auto try_pairs = [&](const MatchPair& a, bool a_near, const MatchPair& b, bool b_near) {
+    if (may_pair(a, a_near) && may_pair(b, b_near)) {
+      count_support(motion_of(a, b, source, target.points()));
+    }
+  };
+  const auto all = [](const std::vector<char>& flags) {
+    return std::find(flags.begin(), flags.end(), 0) == flags.end();
+  };
+  const bool all_oriented = all(source_oriented_) && all(target_oriented_);
   const auto wanted = static_cast<std::size_t>(params_.max_matches);
   const std::size_t tries = wanted == 1 ? kTriesPerMatch : std::numeric_limits<std::size_t>::max();
   bar_.reset(min_pairs, source_positions_.size(), tries);
   hypotheses_.clear();
-  for_each_equal_length(query_, target.segments(), params_.distance_tolerance,
-                        [&](const Segment& s, const TwoPointTarget::Segment& t) {
-                          if (fits(s.first, s.first_turn, t.first, t.first_turn) &&
-                              fits(s.second, s.second_turn, t.second, t.second_turn)) {
-                            count_support(motion_of({s.first, t.first}, {s.second, t.second},
-                                                    source, target.points()));
-                          }
-                          if (fits(s.first, s.first_turn, t.second, turned(t.second_turn)) &&
-                              fits(s.second, s.second_turn, t.first, turned(t.first_turn))) {
-                            count_support(motion_of({s.first, t.second}, {s.second, t.first},
-                                                    source, target.points()));
-                          }
-                        });
+  const auto visit = [&](const Segment& s, const TwoPointTarget::Segment& t) {
+    const bool first = gate.near(s.first_turn, t.first_turn);
+    const bool second = gate.near(s.second_turn, t.second_turn);
+    const bool first_crossed = gate.near_opposite(s.first_turn, t.second_turn);
+    const bool second_crossed = gate.near_opposite(s.second_turn, t.first_turn);
+    // Most segments do not fit, and nothing foretells which: one branch for all of it.
+    if (all_oriented && !((first & second) | (first_crossed & second_crossed))) return;
+    try_pairs({s.first, t.first}, first, {s.second, t.second}, second);
+    try_pairs({s.first, t.second}, first_crossed, {s.second, t.first}, second_crossed);
+  };
+  for_each_equal_length(query_, target.segments(), params_.distance_tolerance, visit);
 }
 
 MatchResult TwoPointMatcher::Search::refine(const Hypothesis& hypothesis,
@@ -259,8 +279,10 @@ std::vector<MatchResult> TwoPointMatcher::Search::run(const std::vector<MatchPoi
       if (known(hypothesis->target_T_source.pose(), matches)) continue;
       ++tries;
       MatchResult match = refine(*hypothesis, source, target, gates);
-      if (match.pairs.size() < fewest) continue;
-      if (known(match.target_T_source->pose, matches)) continue;
+      const std::size_t pairs = match.pairs.size();
+      if (pairs < static_cast<std::size_t>(params_.min_pairs)) continue;
+      if (pairs < fewest && wanted == 1) return {};  // the best one has too few
+      if (pairs < fewest || known(match.target_T_source->pose, matches)) continue;
       match.search_nodes = hypotheses_.size();
       matches.push_back(std::move(match));
     }

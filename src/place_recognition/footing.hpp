@@ -31,8 +31,8 @@ inline double distance_to(const SurfacePoint& surface, const Eigen::Vector2d& po
 }
 
 /// The surface at the beam that looks towards the point (scan's frame), if it is `near` [m]; else
-/// the nearest one of that beam and the two beside it. The nearest of all three in any case would be
-/// the one whose noise fits best, and make residuals look smaller than they are.
+/// the nearest one of that beam and the two beside it. The nearest of all three in any case would
+/// be the one whose noise fits best, and make residuals look smaller than they are.
 inline Footing footing(const ScanView& view, const Eigen::Vector2d& point, double near) {
   Footing result;
   const auto towards = view.beam_at(approximate_atan2(point.y(), point.x()));

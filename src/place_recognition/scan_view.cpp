@@ -30,6 +30,11 @@ ScanView::ScanView(const LaserScan& scan, const ScanViewParams& params)
       closed_(scan.closed),
       ranges_(scan.size(), 0.0),
       all_(scan.size()) {
+  if (angle_increment_ > 0.0) {
+    beams_per_radian_ = 1.0 / angle_increment_;
+    beams_per_turn_ = kTwoPi * beams_per_radian_;
+    turns_per_beam_ = angle_increment_ / kTwoPi;
+  }
   for (std::size_t i = 0; i < scan.size(); ++i) {
     if (!scan.valid(i)) continue;
     ranges_[i] = scan.ranges[i];
@@ -103,16 +108,6 @@ void ScanView::keep_points(double spacing) {
     count = 1.0;
   }
   finish();
-}
-
-std::optional<std::size_t> ScanView::beam_at(double bearing) const {
-  if (all_.empty() || angle_increment_ <= 0.0) return std::nullopt;
-  const double turn = kTwoPi / angle_increment_;
-  double beams = (bearing - angle_min_) / angle_increment_;
-  beams -= turn * std::floor((beams + 0.5) / turn);
-  const auto nearest = static_cast<std::size_t>(std::max(0.0, beams + 0.5));
-  if (nearest < all_.size()) return nearest;
-  return closed_ ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 }  // namespace falko_slam

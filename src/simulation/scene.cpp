@@ -12,19 +12,41 @@
 namespace falko_slam {
 namespace {
 
+// An office, from its corner at the corridor, y away from it. [m], [rad]
+struct Office {
+  double door_x;
+  double locker_x;  // in the corridor, beside the front
+  double desk_x, desk_width;
+  double cupboard_x, cupboard_y, cupboard_depth;
+  double chair_x, chair_y, chair_angle;
+};
+
+// No two are alike: a building is not a hall of mirrors.
+constexpr Office kOffices[8] = {{2.6, 1.0, 1.6, 1.6, 5.4, 4.0, 1.2, 3.6, 6.2, 0.6},
+                                {1.5, 4.1, 3.9, 2.2, 0.5, 5.2, 1.8, 2.2, 4.4, 0.1},
+                                {4.1, 2.9, 2.6, 1.2, 5.4, 6.3, 0.8, 4.2, 4.8, -0.5},
+                                {2.2, 5.0, 4.6, 1.4, 0.5, 3.4, 1.0, 1.9, 6.0, 0.9},
+                                {3.3, 1.6, 1.3, 1.0, 5.4, 2.9, 1.0, 3.0, 5.0, -0.2},
+                                {4.5, 0.9, 3.1, 2.6, 0.5, 6.6, 1.2, 4.6, 3.6, 0.4},
+                                {1.1, 3.4, 4.2, 1.8, 5.4, 5.6, 0.6, 1.4, 3.8, -0.8},
+                                {3.7, 2.1, 2.0, 2.0, 0.5, 4.3, 1.5, 4.9, 5.7, 0.2}};
+
 // An office of 6 m between x and x + 6 on one side (+1 or -1) of the corridor: a wall towards the
-// next one, a front with a door of 0.9 m, a desk, a cupboard and a round of chairs.
-void add_office(Scene& scene, double x, double side) {
+// next one, a front with a door of 0.9 m, a locker, a desk, a cupboard and two chairs.
+void add_office(Scene& scene, double x, double side, const Office& office) {
+  constexpr double kDoor = 0.9;
   const auto box = [&](double cx, double cy, double width, double depth, double angle) {
     scene.add_box({x + cx, side * cy, side * angle}, {width, depth});
   };
+  const double door_end = office.door_x + kDoor;
   box(6.0, 5.0, 0.15, 5.8, 0.0);
-  box(1.3, 2.1, 2.6, 0.15, 0.0);
-  box(4.75, 2.1, 2.5, 0.15, 0.0);
-  box(1.6, 7.0, 1.6, 0.8, 0.0);
-  box(5.4, 4.0, 0.6, 1.2, 0.0);
-  box(3.6, 6.2, 0.45, 0.45, 0.6);
-  box(2.4, 5.6, 0.45, 0.45, -0.3);
+  box(0.5 * office.door_x, 2.1, office.door_x, 0.15, 0.0);
+  box(0.5 * (door_end + 6.0), 2.1, 6.0 - door_end, 0.15, 0.0);
+  box(office.locker_x, 1.9, 0.5, 0.25, 0.0);
+  box(office.desk_x, 7.0, office.desk_width, 0.8, 0.0);
+  box(office.cupboard_x, office.cupboard_y, 0.6, office.cupboard_depth, 0.0);
+  box(office.chair_x, office.chair_y, 0.45, 0.45, office.chair_angle);
+  box(0.8 * office.desk_x + 1.1, 5.8, 0.45, 0.45, -0.3);
 }
 
 }  // namespace
@@ -60,8 +82,8 @@ Scene office_scene() {
   Scene scene;
   scene.add_box({0.0, 0.0, 0.0}, {24.0, 16.0});
   for (int i = 0; i < 4; ++i) {
-    add_office(scene, -12.0 + 6.0 * i, 1.0);
-    add_office(scene, -12.0 + 6.0 * i, -1.0);
+    add_office(scene, -12.0 + 6.0 * i, 1.0, kOffices[2 * i]);
+    add_office(scene, -12.0 + 6.0 * i, -1.0, kOffices[2 * i + 1]);
   }
   for (int i = 0; i < 3; ++i) scene.add_box({-6.0 + 6.0 * i, 0.0, 0.0}, {0.4, 0.4});
   return scene;

@@ -71,16 +71,29 @@ TEST(ScanView, LengthsAddUpToTheWall) {
   }
 }
 
-TEST(ScanView, PointsAreTheSpacingApart) {
-  for (const double spacing : {0.02, 0.05, 0.30}) {
+// A point is the mean of beams within the spacing of the first; the next one begins beyond it.
+TEST(ScanView, PointsAreAboutTheSpacingApart) {
+  for (const double spacing : {0.05, 0.10, 0.30}) {
     ScanViewParams params;
     params.point_spacing = spacing;
-    const ScanView view = view_of(test::room_with_pillar(), 1440, 0.0, params);
+    const ScanView view = view_of(single_wall(), 1440, 0.0, params);
     ASSERT_GT(view.points().size(), 10U);
-    for (std::size_t i = 1; i < view.points().size(); ++i) {
-      EXPECT_GE((view.points()[i].position - view.points()[i - 1].position).norm(), spacing);
+    for (std::size_t i = 1; i + 1 < view.points().size(); ++i) {
+      const double step = (view.points()[i].position - view.points()[i - 1].position).norm();
+      EXPECT_GT(step, 0.7 * spacing);
+      EXPECT_LT(step, 1.7 * spacing);
     }
   }
+}
+
+TEST(ScanView, PointsLieOnTheWallWithLessNoiseThanBeams) {
+  const ScanView view = view_of(single_wall(), 1440, 0.02);
+  double squares = 0.0;
+  for (const SurfacePoint& point : view.points()) {
+    const double off = std::abs(point.position.x()) - 2.0;
+    squares += off * off;
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(view.points().size())), 0.015);
 }
 
 TEST(ScanView, SpacingLosesNoLength) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -43,7 +45,14 @@ class ScanView {
   const std::vector<SurfacePoint>& points() const { return points_; }
 
   /// The beam nearest to a direction [rad, laser frame]; none if no beam looks there.
-  std::optional<std::size_t> beam_at(double bearing) const;
+  std::optional<std::size_t> beam_at(double bearing) const {
+    if (all_.empty() || beams_per_radian_ <= 0.0) return std::nullopt;
+    double beams = (bearing - angle_min_) * beams_per_radian_ + 0.5;
+    beams -= beams_per_turn_ * std::floor(beams * turns_per_beam_);
+    const auto nearest = static_cast<std::size_t>(std::max(0.0, beams));
+    if (nearest < all_.size()) return nearest;
+    return closed_ ? std::optional<std::size_t>(0) : std::nullopt;
+  }
   std::size_t beam_count() const { return all_.size(); }
   bool closed() const { return closed_; }
   /// Of the beam; length 0 where it is not valid or too far.
@@ -58,6 +67,9 @@ class ScanView {
 
   double angle_min_ = 0.0;
   double angle_increment_ = 0.0;
+  double beams_per_radian_ = 0.0;  // 0 without an increment
+  double beams_per_turn_ = 0.0;
+  double turns_per_beam_ = 0.0;
   bool closed_ = false;
   std::vector<double> ranges_;
   std::vector<SurfacePoint> all_;
