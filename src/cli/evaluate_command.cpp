@@ -1,7 +1,9 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -32,9 +34,9 @@ nlohmann::json evaluate(const std::vector<PosedScan>& scans,
 }
 
 nlohmann::json evaluate(const std::vector<PosedScan>& scans, const LoopEvaluationParams& params) {
-  const std::vector<LoopMethodResult> results = evaluate_loops(scans, params, tell);
-  print_report(results);
-  return {{"methods", as_json(results)}};
+  const LoopEvaluation evaluation = evaluate_loops(scans, params, tell);
+  print_report(evaluation);
+  return as_json(evaluation);
 }
 
 template <class Params>
@@ -82,6 +84,32 @@ void add_features(CLI::App& evaluate) {
   verb->callback([options] { evaluate_logs(*options); });
 }
 
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> words;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+CLI::Validator loop_methods() {
+  const auto check = [](const std::string& list) {
+    const std::vector<std::string> known = loop_method_names();
+    for (const std::string& word : split(list)) {
+      if (std::find(known.begin(), known.end(), word) == known.end()) {
+        return "\"" + word + "\" is not one of " + joined(known);
+      }
+    }
+    return split(list).empty() ? "none of " + joined(known) : std::string();
+  };
+  return CLI::Validator(check, "NAME,...");
+}
+
 void add_loops(CLI::App& evaluate) {
   auto options = std::make_shared<EvaluateLoopsOptions>();
   CLI::App* verb = evaluate.add_subcommand(
@@ -91,10 +119,15 @@ void add_loops(CLI::App& evaluate) {
       ->required();
   verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them")
       ->check(a_file());
-  verb->add_option("--candidates", options->params.candidates,
+  verb->add_option_function<std::string>(
+          "--methods",
+          [options](const std::string& list) { options->params.methods = split(list); },
+          "some of them, separated by commas; default all: " + joined(loop_method_names()))
+      ->check(loop_methods());
+  verb->add_option("--candidates", options->params.thesis.candidates,
                    "nearest signatures that the thesis' methods associate, default 10")
       ->check(CLI::Range(1, 1000));
-  verb->add_option("--seed", options->params.seed, "of RANSAC, default 1")
+  verb->add_option("--seed", options->params.thesis.seed, "of RANSAC, default 1")
       ->check(CLI::NonNegativeNumber);
   verb->callback([options] { evaluate_logs(*options); });
 }
