@@ -127,6 +127,9 @@ void add_loops(CLI::App& evaluate) {
   verb->add_option("--candidates", options->params.thesis.candidates,
                    "nearest signatures that the thesis' methods associate, default 10")
       ->check(CLI::Range(1, 1000));
+  verb->add_flag_callback(
+      "--grid-normals", [options] { options->params.thesis.normals = KeypointNormals::kGrid; },
+      "GSR takes normals from a grid, as in the thesis, not the orientations of the keypoints");
   verb->add_option("--seed", options->params.thesis.seed, "of RANSAC, default 1")
       ->check(CLI::NonNegativeNumber);
   verb->callback([options] { evaluate_logs(*options); });

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/evaluation/scan_retrieval.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 #include "falko_slam/place_recognition/signature_index.hpp"
+#include "falko_slam/place_recognition/surface_normals.hpp"
 
 namespace falko_slam {
 namespace {
@@ -14,6 +17,37 @@ std::vector<Eigen::Vector2d> positions_of(const std::vector<Keypoint>& keypoints
   std::vector<Eigen::Vector2d> positions;
   for (const Keypoint& keypoint : keypoints) positions.push_back(keypoint.position);
   return positions;
+}
+
+std::vector<MatchPoint> points_of(const std::vector<Keypoint>& keypoints) {
+  std::vector<MatchPoint> points;
+  for (const Keypoint& keypoint : keypoints) {
+    points.push_back({keypoint.position, keypoint.orientation});
+  }
+  return points;
+}
+
+void use_grid_normals(const LaserScan& scan, std::vector<MatchPoint>& points) {
+  std::vector<Eigen::Vector2d> places;
+  for (const MatchPoint& point : points) places.push_back(point.position);
+  const std::vector<double> normals = surface_normals(scan, places);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].orientation = normals[i];
+}
+
+// The `count` admitted scans of the least distance.
+template <class Distance>
+std::vector<std::size_t> least_distant(std::size_t scans, std::size_t count,
+                                       const ScanRetrieval::Admission& admits,
+                                       const Distance& distance) {
+  std::vector<std::pair<std::uint32_t, std::size_t>> ranked;
+  for (std::size_t target = 0; target < scans; ++target) {
+    if (admits(target)) ranked.emplace_back(distance(target), target);
+  }
+  const auto end = ranked.begin() + static_cast<std::ptrdiff_t>(std::min(count, ranked.size()));
+  std::partial_sort(ranked.begin(), end, ranked.end());
+  std::vector<std::size_t> targets;
+  for (auto entry = ranked.begin(); entry != end; ++entry) targets.push_back(entry->second);
+  return targets;
 }
 
 }  // namespace
@@ -42,6 +76,25 @@ ScanRetrieval glarot_retrieval(const ScanKeypoints& keypoints, const GlareParams
               targets.push_back(static_cast<std::size_t>(found.id.value));
             }
             return targets;
+          }};
+}
+
+ScanRetrieval gsr_retrieval(const std::vector<PosedScan>& scans, const ScanKeypoints& keypoints,
+                            const GsrParams& params, KeypointNormals normals) {
+  const auto signatures = std::make_shared<std::vector<Signature>>();
+  std::vector<double> times;
+  for (std::size_t scan = 0; scan < scans.size(); ++scan) {
+    times.push_back(milliseconds_of([&] {
+      auto points = points_of(keypoints[scan]);
+      if (normals == KeypointNormals::kGrid) use_grid_normals(scans[scan].scan, points);
+      signatures->push_back(gsr(points, params));
+    }));
+  }
+  return {loop_timing(std::move(times)), [signatures](std::size_t source, std::size_t count,
+                                                      const ScanRetrieval::Admission& admits) {
+            return least_distant(signatures->size(), count, admits, [&](std::size_t target) {
+              return l1_distance((*signatures)[source], (*signatures)[target]);
+            });
           }};
 }
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "falko_slam/evaluation/scan_retrieval.hpp"
 #include "falko_slam/features/falko.hpp"
+#include "falko_slam/features/flirt.hpp"
 #include "falko_slam/matching/affine_hough.hpp"
 #include "falko_slam/matching/correspondence_graph.hpp"
 #include "falko_slam/matching/ransac.hpp"
@@ -20,17 +20,24 @@ namespace {
 
 using MatchPoints = std::vector<MatchPoint>;
 
+enum class Detector { kFalko, kFlirt };
+enum class Retrieval { kGlarot, kGsr };
 enum class Association { kGraph, kHough, kRansac };
 
 struct Recipe {
   std::string name;
+  Detector detector;
+  Retrieval retrieval;
   Association association;
 };
 
 const std::vector<Recipe>& recipes() {
-  static const std::vector<Recipe> all = {{"GLAROT-RANSAC", Association::kRansac},
-                                          {"GLAROT-AH", Association::kHough},
-                                          {"GLAROT-CG", Association::kGraph}};
+  static const std::vector<Recipe> all = {
+      {"GSR-FLIRT", Detector::kFlirt, Retrieval::kGsr, Association::kRansac},
+      {"GSR-FALKO", Detector::kFalko, Retrieval::kGsr, Association::kRansac},
+      {"GLAROT-RANSAC", Detector::kFalko, Retrieval::kGlarot, Association::kRansac},
+      {"GLAROT-AH", Detector::kFalko, Retrieval::kGlarot, Association::kHough},
+      {"GLAROT-CG", Detector::kFalko, Retrieval::kGlarot, Association::kGraph}};
   return all;
 }
 
@@ -49,14 +56,18 @@ double neighbors(const MatchPoints& source, const MatchPoints& target, const Pos
 // What a method keeps of a log, and how it answers.
 class Chain {
  public:
-  Chain(Association association, const ThesisMethodParams& params)
-      : association_(association), params_(params) {}
+  Chain(const Recipe& recipe, const ThesisMethodParams& params)
+      : recipe_(recipe), params_(params) {}
 
   LoopTiming detect(const std::vector<PosedScan>& scans) {
     FalkoDetector falko;
+    FlirtDetector flirt;
     std::vector<double> times;
     for (const PosedScan& scan : scans) {
-      times.push_back(milliseconds_of([&] { keypoints_.push_back(falko.detect(scan.scan)); }));
+      times.push_back(milliseconds_of([&] {
+        keypoints_.push_back(recipe_.detector == Detector::kFalko ? falko.detect(scan.scan)
+                                                                  : flirt.detect(scan.scan));
+      }));
       points_.emplace_back();
       for (const Keypoint& keypoint : keypoints_.back()) {
         points_.back().push_back({keypoint.position});
@@ -65,8 +76,10 @@ class Chain {
     return loop_timing(std::move(times));
   }
 
-  LoopTiming sign() {
-    retrieval_ = glarot_retrieval(keypoints_, params_.glare);
+  LoopTiming sign(const std::vector<PosedScan>& scans) {
+    retrieval_ = recipe_.retrieval == Retrieval::kGlarot
+                     ? glarot_retrieval(keypoints_, params_.glare)
+                     : gsr_retrieval(scans, keypoints_, params_.gsr, params_.normals);
     return retrieval_.creation;
   }
 
@@ -92,12 +105,12 @@ class Chain {
 
  private:
   MatchResult associate(const MatchPoints& source, const MatchPoints& target) {
-    if (association_ == Association::kGraph) return graph_.match(source, target);
-    if (association_ == Association::kHough) return hough_.match(source, target);
+    if (recipe_.association == Association::kGraph) return graph_.match(source, target);
+    if (recipe_.association == Association::kHough) return hough_.match(source, target);
     return match_by_ransac(source, target, random_);
   }
 
-  Association association_;
+  Recipe recipe_;
   ThesisMethodParams params_;
   ScanKeypoints keypoints_;
   std::vector<MatchPoints> points_;
@@ -120,11 +133,11 @@ LoopMethod thesis_method(const std::string& name, const std::vector<PosedScan>& 
   const auto recipe = std::find_if(recipes().begin(), recipes().end(),
                                    [&](const Recipe& known) { return known.name == name; });
   if (recipe == recipes().end()) throw std::invalid_argument("no method of the thesis: " + name);
-  const auto chain = std::make_shared<Chain>(recipe->association, params);
+  const auto chain = std::make_shared<Chain>(*recipe, params);
   LoopMethod method;
   method.name = name;
   method.detection = chain->detect(scans);
-  method.creation = chain->sign();
+  method.creation = chain->sign(scans);
   method.close = [chain](std::size_t source, const LoopTruth& truth) {
     return chain->close(source, truth);
   };

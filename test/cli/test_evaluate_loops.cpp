@@ -73,7 +73,8 @@ TEST_F(EvaluateLoopsCommand, WritesAllMethodsUnderAllProtocols) {
     }
   }
   std::set<std::string> expected;
-  for (const std::string method : {"GLAROT-CG", "GLAROT-AH", "GLAROT-RANSAC", "falko_slam"}) {
+  for (const std::string method :
+       {"GSR-FLIRT", "GSR-FALKO", "GLAROT-CG", "GLAROT-AH", "GLAROT-RANSAC", "falko_slam"}) {
     for (const std::string protocol : {"offline", "online", "revisits"}) {
       expected.insert(method + " " + protocol);
     }

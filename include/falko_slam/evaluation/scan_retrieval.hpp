@@ -9,6 +9,7 @@
 #include "falko_slam/evaluation/loop_method.hpp"
 #include "falko_slam/features/keypoint.hpp"
 #include "falko_slam/place_recognition/glare.hpp"
+#include "falko_slam/place_recognition/gsr.hpp"
 
 namespace falko_slam {
 
@@ -21,7 +22,7 @@ struct ScanRetrieval {
 
   LoopTiming creation;  ///< of the signatures
   /// At most `count` of the admitted scans, the most alike first; of those equally alike the
-  /// earliest. None where nothing can be told, such as from no keypoints.
+  /// earliest.
   std::function<std::vector<std::size_t>(std::size_t source, std::size_t count,
                                          const Admission& admits)>
       nearest;
@@ -29,5 +30,20 @@ struct ScanRetrieval {
 
 /// GLARE signatures under GLAROT's distance (\cite kallasi2017 4.1.1).
 ScanRetrieval glarot_retrieval(const ScanKeypoints& keypoints, const GlareParams& params = {});
+
+/// What GSR takes for the normal of a keypoint.
+enum class KeypointNormals {
+  kOrientation,  ///< the keypoint's own orientation
+  kGrid,         ///< of the surface in a Euclidean grid, as the text of the thesis has it
+};
+
+/// GSR signatures under the L1 distance.
+///
+/// Deviation: a corner has no normal; the direction in which the points of its cell spread least is
+/// a matter of chance there, its bisector is not. Hence orientations by default, which more than
+/// double the recall of GSR-FALKO (doc/decisions/0010-gsr-and-phrases.md).
+ScanRetrieval gsr_retrieval(const std::vector<PosedScan>& scans, const ScanKeypoints& keypoints,
+                            const GsrParams& params = {},
+                            KeypointNormals normals = KeypointNormals::kOrientation);
 
 }  // namespace falko_slam

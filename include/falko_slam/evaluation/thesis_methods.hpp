@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "falko_slam/evaluation/loop_method.hpp"
-#include "falko_slam/place_recognition/glare.hpp"
+#include "falko_slam/evaluation/scan_retrieval.hpp"
 
 namespace falko_slam {
 
@@ -15,7 +14,9 @@ struct ThesisMethodParams {
   int candidates = 10;             ///< nearest signatures that are associated
   double neighbor_distance = 0.1;  ///< keypoints that are nearer after alignment count [m]
   GlareParams glare;
-  std::uint64_t seed = 1;  ///< of RANSAC
+  GsrParams gsr;
+  KeypointNormals normals = KeypointNormals::kOrientation;  ///< of GSR
+  std::uint64_t seed = 1;                                   ///< of RANSAC
 };
 
 /// The loop closures that Fig. 4.2 of \cite kallasi2017 compares, by its names.
