@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "falko_slam/features/beta_grid.hpp"
+#include "falko_slam/place_recognition/phrase_index.hpp"
 #include "falko_slam/place_recognition/signature_index.hpp"
 #include "falko_slam/place_recognition/surface_normals.hpp"
 
@@ -32,6 +35,29 @@ void use_grid_normals(const LaserScan& scan, std::vector<MatchPoint>& points) {
   for (const MatchPoint& point : points) places.push_back(point.position);
   const std::vector<double> normals = surface_normals(scan, places);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].orientation = normals[i];
+}
+
+// The keypoints are in the order of their beams: that of their bearings.
+std::vector<PhraseBag> phrase_bags(const std::vector<PosedScan>& scans,
+                                   const ScanKeypoints& keypoints, const GfpParams& params) {
+  BetaGridExtractor extractor;
+  std::vector<Vocabulary::Descriptor> descriptors;
+  for (std::size_t scan = 0; scan < scans.size(); ++scan) {
+    for (const BetaGrid& grid : extractor.extract(scans[scan].scan, keypoints[scan])) {
+      descriptors.push_back(grid.occupancy);
+    }
+  }
+  const Vocabulary vocabulary = Vocabulary::learned(descriptors, params.vocabulary);
+  std::vector<PhraseBag> bags;
+  auto next = descriptors.begin();
+  for (std::size_t scan = 0; scan < scans.size(); ++scan) {
+    std::vector<std::size_t> words;
+    for (std::size_t i = 0; i < keypoints[scan].size(); ++i) {
+      words.push_back(vocabulary.word_of(*next++));
+    }
+    bags.push_back(geometric_phrases(words, scans[scan].scan.closed, params.phrases));
+  }
+  return bags;
 }
 
 // The `count` admitted scans of the least distance.
@@ -95,6 +121,31 @@ ScanRetrieval gsr_retrieval(const std::vector<PosedScan>& scans, const ScanKeypo
             return least_distant(signatures->size(), count, admits, [&](std::size_t target) {
               return l1_distance((*signatures)[source], (*signatures)[target]);
             });
+          }};
+}
+
+ScanRetrieval gfp_retrieval(const std::vector<PosedScan>& scans, const ScanKeypoints& keypoints,
+                            const GfpParams& params) {
+  struct Memory {
+    std::vector<PhraseBag> bags;
+    std::optional<PhraseIndex> index;
+  };
+  const auto memory = std::make_shared<Memory>();
+  const double total = milliseconds_of([&] {
+    memory->bags = phrase_bags(scans, keypoints, params);
+    memory->index.emplace(memory->bags);
+  });
+  // All at once: each scan costs the mean.
+  const auto creation =
+      loop_timing(std::vector<double>(scans.size(), total / static_cast<double>(scans.size())));
+  return {creation,
+          [memory](std::size_t source, std::size_t count, const ScanRetrieval::Admission& admits) {
+            std::vector<std::size_t> targets;
+            for (const PhraseMatch& found :
+                 memory->index->nearest(memory->bags[source], count, admits)) {
+              targets.push_back(found.scan);
+            }
+            return targets;
           }};
 }
 

@@ -21,7 +21,7 @@ namespace {
 using MatchPoints = std::vector<MatchPoint>;
 
 enum class Detector { kFalko, kFlirt };
-enum class Retrieval { kGlarot, kGsr };
+enum class Retrieval { kGlarot, kGsr, kGfp };
 enum class Association { kGraph, kHough, kRansac };
 
 struct Recipe {
@@ -33,6 +33,7 @@ struct Recipe {
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = {
+      {"GFP", Detector::kFlirt, Retrieval::kGfp, Association::kRansac},
       {"GSR-FLIRT", Detector::kFlirt, Retrieval::kGsr, Association::kRansac},
       {"GSR-FALKO", Detector::kFalko, Retrieval::kGsr, Association::kRansac},
       {"GLAROT-RANSAC", Detector::kFalko, Retrieval::kGlarot, Association::kRansac},
@@ -77,9 +78,17 @@ class Chain {
   }
 
   LoopTiming sign(const std::vector<PosedScan>& scans) {
-    retrieval_ = recipe_.retrieval == Retrieval::kGlarot
-                     ? glarot_retrieval(keypoints_, params_.glare)
-                     : gsr_retrieval(scans, keypoints_, params_.gsr, params_.normals);
+    switch (recipe_.retrieval) {
+      case Retrieval::kGlarot:
+        retrieval_ = glarot_retrieval(keypoints_, params_.glare);
+        break;
+      case Retrieval::kGsr:
+        retrieval_ = gsr_retrieval(scans, keypoints_, params_.gsr, params_.normals);
+        break;
+      case Retrieval::kGfp:
+        retrieval_ = gfp_retrieval(scans, keypoints_, params_.gfp);
+        break;
+    }
     return retrieval_.creation;
   }
 
@@ -87,9 +96,8 @@ class Chain {
     LoopTrial trial;
     std::vector<std::size_t> targets;
     trial.search = milliseconds_of([&] {
-      targets =
-          retrieval_.nearest(source, static_cast<std::size_t>(params_.candidates),
-                             [&](std::size_t target) { return truth.admits(source, target); });
+      targets = retrieval_.nearest(
+          source, candidates(), [&](std::size_t target) { return truth.admits(source, target); });
     });
     random_.seed(params_.seed * 0x9e3779b97f4a7c15U + source);
     for (const std::size_t target : targets) {
@@ -104,6 +112,10 @@ class Chain {
   }
 
  private:
+  std::size_t candidates() const {
+    return static_cast<std::size_t>(recipe_.retrieval == Retrieval::kGfp ? params_.gfp_candidates
+                                                                         : params_.candidates);
+  }
   MatchResult associate(const MatchPoints& source, const MatchPoints& target) {
     if (recipe_.association == Association::kGraph) return graph_.match(source, target);
     if (recipe_.association == Association::kHough) return hough_.match(source, target);

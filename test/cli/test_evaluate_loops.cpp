@@ -74,7 +74,7 @@ TEST_F(EvaluateLoopsCommand, WritesAllMethodsUnderAllProtocols) {
   }
   std::set<std::string> expected;
   for (const std::string method :
-       {"GSR-FLIRT", "GSR-FALKO", "GLAROT-CG", "GLAROT-AH", "GLAROT-RANSAC", "falko_slam"}) {
+       {"GFP", "GSR-FLIRT", "GSR-FALKO", "GLAROT-CG", "GLAROT-AH", "GLAROT-RANSAC", "falko_slam"}) {
     for (const std::string protocol : {"offline", "online", "revisits"}) {
       expected.insert(method + " " + protocol);
     }

@@ -8,8 +8,10 @@
 
 #include "falko_slam/evaluation/loop_method.hpp"
 #include "falko_slam/features/keypoint.hpp"
+#include "falko_slam/place_recognition/geometric_phrases.hpp"
 #include "falko_slam/place_recognition/glare.hpp"
 #include "falko_slam/place_recognition/gsr.hpp"
+#include "falko_slam/place_recognition/vocabulary.hpp"
 
 namespace falko_slam {
 
@@ -45,5 +47,15 @@ enum class KeypointNormals {
 ScanRetrieval gsr_retrieval(const std::vector<PosedScan>& scans, const ScanKeypoints& keypoints,
                             const GsrParams& params = {},
                             KeypointNormals normals = KeypointNormals::kOrientation);
+
+struct GfpParams {
+  VocabularyParams vocabulary;
+  PhraseParams phrases;
+};
+
+/// Geometrical FLIRT phrases: words are beta-grids of the keypoints, learned from all scans of the
+/// log, as the thesis does (4.2.2); with the share of the learning in the time of creation.
+ScanRetrieval gfp_retrieval(const std::vector<PosedScan>& scans, const ScanKeypoints& keypoints,
+                            const GfpParams& params = {});
 
 }  // namespace falko_slam

@@ -12,9 +12,11 @@ namespace falko_slam {
 
 struct ThesisMethodParams {
   int candidates = 10;             ///< nearest signatures that are associated
+  int gfp_candidates = 50;         ///< of GFP
   double neighbor_distance = 0.1;  ///< keypoints that are nearer after alignment count [m]
   GlareParams glare;
   GsrParams gsr;
+  GfpParams gfp;
   KeypointNormals normals = KeypointNormals::kOrientation;  ///< of GSR
   std::uint64_t seed = 1;                                   ///< of RANSAC
 };
