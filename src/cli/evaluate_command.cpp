@@ -1,9 +1,9 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -91,21 +91,16 @@ std::vector<std::string> split(const std::string& list) {
   return words;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-  return list;
-}
-
 CLI::Validator loop_methods() {
-  const auto check = [](const std::string& list) {
-    const std::vector<std::string> known = loop_method_names();
-    for (const std::string& word : split(list)) {
-      if (std::find(known.begin(), known.end(), word) == known.end()) {
-        return "\"" + word + "\" is not one of " + joined(known);
-      }
+  const auto check = [](const std::string& list) -> std::string {
+    try {
+      LoopEvaluationParams params;
+      params.methods = split(list);
+      validate(params);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
     }
-    return split(list).empty() ? "none of " + joined(known) : std::string();
+    return "";
   };
   return CLI::Validator(check, "NAME,...");
 }
@@ -119,13 +114,14 @@ void add_loops(CLI::App& evaluate) {
       ->required();
   verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them")
       ->check(a_file());
-  verb->add_option_function<std::string>(
-          "--methods",
-          [options](const std::string& list) { options->params.methods = split(list); },
-          "some of them, separated by commas; default all: " + joined(loop_method_names()))
+  std::string names;
+  for (const std::string& name : loop_method_names()) names += (names.empty() ? "" : ",") + name;
+  const auto choose = [options](const std::string& list) { options->params.methods = split(list); };
+  verb->add_option_function<std::string>("--methods", choose,
+                                         "which ones, separated by commas, default " + names)
       ->check(loop_methods());
   verb->add_option("--candidates", options->params.thesis.candidates,
-                   "nearest signatures that the thesis' methods associate, default 10")
+                   "nearest signatures that the thesis' methods associate, default 10; GFP: 50")
       ->check(CLI::Range(1, 1000));
   verb->add_flag_callback(
       "--grid-normals", [options] { options->params.thesis.normals = KeypointNormals::kGrid; },

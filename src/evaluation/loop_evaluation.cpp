@@ -10,14 +10,8 @@ namespace {
 
 constexpr char kOurs[] = "falko_slam";
 
-void require_known(const std::vector<std::string>& names) {
-  const std::vector<std::string> known = loop_method_names();
-  for (const std::string& name : names) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    std::string list;
-    for (const std::string& other : known) list += (list.empty() ? "" : ", ") + other;
-    throw std::invalid_argument("methods: \"" + name + "\" is not one of " + list);
-  }
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -28,16 +22,27 @@ std::vector<std::string> loop_method_names() {
   return names;
 }
 
+void validate(const LoopEvaluationParams& params) {
+  const std::vector<std::string> known = loop_method_names();
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  if (params.methods.empty()) throw std::invalid_argument("methods: none of " + list);
+  for (const std::string& name : params.methods) {
+    if (holds(known, name)) continue;
+    throw std::invalid_argument("methods: \"" + name + "\" is not one of " + list);
+  }
+  validate(params.thesis);
+  validate(params.detector);
+}
+
 LoopEvaluation evaluate_loops(const std::vector<PosedScan>& scans,
                               const LoopEvaluationParams& params,
                               const std::function<void(const std::string&)>& tell) {
-  require_known(params.methods);
+  validate(params);
   std::vector<LoopMethod> others;
   std::optional<DetectorRun> ours;
   for (const std::string& name : loop_method_names()) {
-    if (std::find(params.methods.begin(), params.methods.end(), name) == params.methods.end()) {
-      continue;
-    }
+    if (!holds(params.methods, name)) continue;
     tell(name + " signatures");
     if (name == kOurs) {
       ours.emplace(scans, params.detector);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "falko_slam/common/validation.hpp"
 #include "falko_slam/features/falko.hpp"
 #include "falko_slam/features/flirt.hpp"
 #include "falko_slam/matching/affine_hough.hpp"
@@ -134,6 +135,16 @@ class Chain {
 
 }  // namespace
 
+void validate(const ThesisMethodParams& params) {
+  require_in_range("candidates", params.candidates, 1, 1000);
+  require_in_range("gfp_candidates", params.gfp_candidates, 1, 1000);
+  require_in_range("neighbor_distance", params.neighbor_distance, 0.0, 100.0);
+  validate(params.glare);
+  validate(params.gsr);
+  validate(params.gfp.vocabulary);
+  validate(params.gfp.phrases);
+}
+
 std::vector<std::string> thesis_method_names() {
   std::vector<std::string> names;
   for (const Recipe& recipe : recipes()) names.push_back(recipe.name);
@@ -142,6 +153,7 @@ std::vector<std::string> thesis_method_names() {
 
 LoopMethod thesis_method(const std::string& name, const std::vector<PosedScan>& scans,
                          const ThesisMethodParams& params) {
+  validate(params);
   const auto recipe = std::find_if(recipes().begin(), recipes().end(),
                                    [&](const Recipe& known) { return known.name == name; });
   if (recipe == recipes().end()) throw std::invalid_argument("no method of the thesis: " + name);

@@ -45,5 +45,12 @@ TEST(EvaluateLoops, NamesTheMethodsThatAreKnown) {
   }
 }
 
+TEST(EvaluateLoops, WantsAMethod) {
+  LoopEvaluationParams params;
+  params.methods.clear();
+  EXPECT_THROW(validate(params), std::invalid_argument);
+  EXPECT_NO_THROW(validate(LoopEvaluationParams()));
+}
+
 }  // namespace
 }  // namespace falko_slam

@@ -77,6 +77,17 @@ TEST(ThesisMethod, RefusesUnknownNames) {
   EXPECT_THROW(thesis_method("SIFT", {}), std::invalid_argument);
 }
 
+TEST(ThesisMethodParams, NameFieldAndValueOfWhatIsWrong) {
+  ThesisMethodParams params;
+  params.gfp_candidates = 0;
+  try {
+    thesis_method("GFP", {}, params);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "gfp_candidates = 0: must be in [1, 1000]");
+  }
+}
+
 TEST(ThesisMethod, OfNoScansIsEmpty) {
   for (const std::string& name : thesis_method_names()) {
     EXPECT_EQ(thesis_method(name, {}).creation.mean, 0.0) << name;

@@ -24,6 +24,10 @@ struct LoopEvaluationParams {
   LoopDetectorParams detector;
 };
 
+/// Throws std::invalid_argument, with the names that are known, if a method is not, or none is
+/// asked for.
+void validate(const LoopEvaluationParams& params);
+
 struct LoopEvaluation {
   std::vector<LoopMethodResult> methods;     ///< by protocol, then by method
   std::optional<KidnappedResult> kidnapped;  ///< of our detector
@@ -31,8 +35,7 @@ struct LoopEvaluation {
 
 /// Fig. 4.2 and Table 4.1 of \cite kallasi2017 for one log, and how well our detector places a
 /// robot that does not know where it is. `tell` hears what is worked on.
-///
-/// Throws std::invalid_argument, with the names that are known, if a method is not.
+/// Throws std::invalid_argument as validate().
 LoopEvaluation evaluate_loops(const std::vector<PosedScan>& scans,
                               const LoopEvaluationParams& params,
                               const std::function<void(const std::string&)>& tell);

@@ -42,8 +42,8 @@ enum class KeypointNormals {
 /// GSR signatures under the L1 distance.
 ///
 /// Deviation: a corner has no normal; the direction in which the points of its cell spread least is
-/// a matter of chance there, its bisector is not. Hence orientations by default, which more than
-/// double the recall of GSR-FALKO (doc/decisions/0010-gsr-and-phrases.md).
+/// a matter of chance there, its bisector is not. Hence orientations by default, which serve GSR
+/// better (doc/decisions/0010-gsr-and-phrases.md).
 ScanRetrieval gsr_retrieval(const std::vector<PosedScan>& scans, const ScanKeypoints& keypoints,
                             const GsrParams& params = {},
                             KeypointNormals normals = KeypointNormals::kOrientation);

@@ -11,15 +11,17 @@
 namespace falko_slam {
 
 struct ThesisMethodParams {
-  int candidates = 10;             ///< nearest signatures that are associated
-  int gfp_candidates = 50;         ///< of GFP
-  double neighbor_distance = 0.1;  ///< keypoints that are nearer after alignment count [m]
+  int candidates = 10;             ///< nearest signatures that are associated. [1, 1000]
+  int gfp_candidates = 50;         ///< the same of GFP. [1, 1000]
+  double neighbor_distance = 0.1;  ///< keypoints that are nearer after alignment count. [m]
   GlareParams glare;
   GsrParams gsr;
-  GfpParams gfp;
   KeypointNormals normals = KeypointNormals::kOrientation;  ///< of GSR
-  std::uint64_t seed = 1;                                   ///< of RANSAC
+  GfpParams gfp;
+  std::uint64_t seed = 1;  ///< of RANSAC
 };
+/// Throws std::invalid_argument with the field and its value.
+void validate(const ThesisMethodParams& params);
 
 /// The loop closures that Fig. 4.2 of \cite kallasi2017 compares, by its names.
 std::vector<std::string> thesis_method_names();
@@ -29,7 +31,8 @@ std::vector<std::string> thesis_method_names();
 /// the thesis with N_min are those with a score of at least N_min.
 ///
 /// Association uses the positions of the keypoints only. Each scan has its own random numbers: a
-/// closure does not depend on those before. Throws std::invalid_argument for an unknown name.
+/// closure does not depend on those before. Throws std::invalid_argument for an unknown name or a
+/// bad parameter.
 LoopMethod thesis_method(const std::string& name, const std::vector<PosedScan>& scans,
                          const ThesisMethodParams& params = {});
 
