@@ -116,19 +116,23 @@ void add_loops(CLI::App& evaluate) {
       ->check(a_file());
   std::string names;
   for (const std::string& name : loop_method_names()) names += (names.empty() ? "" : ",") + name;
-  const auto choose = [options](const std::string& list) { options->params.methods = split(list); };
-  verb->add_option_function<std::string>("--methods", choose,
-                                         "which ones, separated by commas, default " + names)
+  auto methods = std::make_shared<std::string>();
+  verb->add_option("--methods", *methods, "which ones, separated by commas, default " + names)
       ->check(loop_methods());
   verb->add_option("--candidates", options->params.thesis.candidates,
                    "nearest signatures that the thesis' methods associate, default 10; GFP: 50")
       ->check(CLI::Range(1, 1000));
-  verb->add_flag_callback(
-      "--grid-normals", [options] { options->params.thesis.normals = KeypointNormals::kGrid; },
-      "GSR takes normals from a grid, as in the thesis, not the orientations of the keypoints");
+  auto grid = std::make_shared<bool>(false);
+  verb->add_flag(
+      "--grid-normals", *grid,
+      "GSR takes normals from a grid, as in the thesis, not the keypoints' orientations");
   verb->add_option("--seed", options->params.thesis.seed, "of RANSAC, default 1")
       ->check(CLI::NonNegativeNumber);
-  verb->callback([options] { evaluate_logs(*options); });
+  verb->callback([options, methods, grid] {
+    if (!methods->empty()) options->params.methods = split(*methods);
+    if (*grid) options->params.thesis.normals = KeypointNormals::kGrid;
+    evaluate_logs(*options);
+  });
 }
 
 }  // namespace

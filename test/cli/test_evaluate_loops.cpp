@@ -115,6 +115,13 @@ TEST_F(EvaluateLoopsCommand, RunsTheMethodsAskedFor) {
   EXPECT_FALSE(figures.contains("kidnapped"));
 }
 
+TEST_F(EvaluateLoopsCommand, TakesNormalsFromAGridIfAsked) {
+  const std::string log = folder_.write("office.log", posed_log());
+  const auto result = evaluate(log, {"--methods", "GSR-FALKO", "--grid-normals"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(result.says("GSR-FALKO")) << result.output;
+}
+
 TEST_F(EvaluateLoopsCommand, NamesTheMethodsThereAre) {
   const std::string log = folder_.write("office.log", posed_log());
   const auto result = evaluate(log, {"--methods", "falko_slam,SIFT"});
