@@ -115,7 +115,8 @@ void add_loops(CLI::App& evaluate) {
   verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them")
       ->check(a_file());
   std::string names;
-  for (const std::string& name : loop_method_names()) names += (names.empty() ? "" : ",") + name;
+  for (const std::string& name : loop_method_names())
+    names.append(names.empty() ? "" : ",").append(name);
   auto methods = std::make_shared<std::string>();
   verb->add_option("--methods", *methods, "which ones, separated by commas, default " + names)
       ->check(loop_methods());

@@ -9,6 +9,7 @@ namespace falko_slam {
 DetectorRun::DetectorRun(const std::vector<PosedScan>& scans, const LoopDetectorParams& params)
     : detector_(params) {
   std::vector<double> times;
+  times.reserve(scans.size());
   for (const PosedScan& scan : scans) {
     times.push_back(milliseconds_of([&] { detector_.add(scan.scan, scan.map_T_laser); }));
   }

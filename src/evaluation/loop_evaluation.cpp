@@ -25,7 +25,7 @@ std::vector<std::string> loop_method_names() {
 void validate(const LoopEvaluationParams& params) {
   const std::vector<std::string> known = loop_method_names();
   std::string list;
-  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  for (const std::string& name : known) list.append(list.empty() ? "" : ", ").append(name);
   if (params.methods.empty()) throw std::invalid_argument("methods: none of " + list);
   for (const std::string& name : params.methods) {
     if (holds(known, name)) continue;

@@ -18,12 +18,14 @@ namespace {
 
 std::vector<Eigen::Vector2d> positions_of(const std::vector<Keypoint>& keypoints) {
   std::vector<Eigen::Vector2d> positions;
+  positions.reserve(keypoints.size());
   for (const Keypoint& keypoint : keypoints) positions.push_back(keypoint.position);
   return positions;
 }
 
 std::vector<MatchPoint> points_of(const std::vector<Keypoint>& keypoints) {
   std::vector<MatchPoint> points;
+  points.reserve(keypoints.size());
   for (const Keypoint& keypoint : keypoints) {
     points.push_back({keypoint.position, keypoint.orientation});
   }
@@ -32,6 +34,7 @@ std::vector<MatchPoint> points_of(const std::vector<Keypoint>& keypoints) {
 
 void use_grid_normals(const LaserScan& scan, std::vector<MatchPoint>& points) {
   std::vector<Eigen::Vector2d> places;
+  places.reserve(points.size());
   for (const MatchPoint& point : points) places.push_back(point.position);
   const std::vector<double> normals = surface_normals(scan, places);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].orientation = normals[i];

@@ -56,7 +56,8 @@ void PairHistogram::add(double row, double column) {
     for (int j = 0; j < kWidth; ++j) {
       const int c = middle_column + j - kReach;
       if (c < 0 || c >= columns_) continue;
-      cells_[static_cast<std::size_t>(r * columns_ + c)] +=
+      cells_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+             static_cast<std::size_t>(c)] +=
           across[static_cast<std::size_t>(i)] * along[static_cast<std::size_t>(j)];
     }
   }
