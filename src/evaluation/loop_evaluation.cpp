@@ -27,9 +27,10 @@ void validate(const LoopEvaluationParams& params) {
   std::string list;
   for (const std::string& name : known) list.append(list.empty() ? "" : ", ").append(name);
   if (params.methods.empty()) throw std::invalid_argument("methods: none of " + list);
-  for (const std::string& name : params.methods) {
-    if (holds(known, name)) continue;
-    throw std::invalid_argument("methods: \"" + name + "\" is not one of " + list);
+  const auto unknown = std::find_if(params.methods.begin(), params.methods.end(),
+                                    [&](const std::string& name) { return !holds(known, name); });
+  if (unknown != params.methods.end()) {
+    throw std::invalid_argument("methods: \"" + *unknown + "\" is not one of " + list);
   }
   validate(params.thesis);
   validate(params.detector);
