@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 #include <memory>
+#include <sstream>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -32,9 +34,9 @@ nlohmann::json evaluate(const std::vector<PosedScan>& scans,
 }
 
 nlohmann::json evaluate(const std::vector<PosedScan>& scans, const LoopEvaluationParams& params) {
-  const std::vector<LoopMethodResult> results = evaluate_loops(scans, params, tell);
-  print_report(results);
-  return {{"methods", as_json(results)}};
+  const LoopEvaluation evaluation = evaluate_loops(scans, params, tell);
+  print_report(evaluation);
+  return as_json(evaluation);
 }
 
 template <class Params>
@@ -82,6 +84,27 @@ void add_features(CLI::App& evaluate) {
   verb->callback([options] { evaluate_logs(*options); });
 }
 
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> words;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
+  return words;
+}
+
+CLI::Validator loop_methods() {
+  const auto check = [](const std::string& list) -> std::string {
+    try {
+      LoopEvaluationParams params;
+      params.methods = split(list);
+      validate(params);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  return CLI::Validator(check, "NAME,...");
+}
+
 void add_loops(CLI::App& evaluate) {
   auto options = std::make_shared<EvaluateLoopsOptions>();
   CLI::App* verb = evaluate.add_subcommand(
@@ -91,12 +114,26 @@ void add_loops(CLI::App& evaluate) {
       ->required();
   verb->add_option("--json", options->json, "write all figures; scripts/plot_loops draws them")
       ->check(a_file());
-  verb->add_option("--candidates", options->params.candidates,
-                   "nearest signatures that the thesis' methods associate, default 10")
+  std::string names;
+  for (const std::string& name : loop_method_names())
+    names.append(names.empty() ? "" : ",").append(name);
+  auto methods = std::make_shared<std::string>();
+  verb->add_option("--methods", *methods, "which ones, separated by commas, default " + names)
+      ->check(loop_methods());
+  verb->add_option("--candidates", options->params.thesis.candidates,
+                   "nearest signatures that the thesis' methods associate, default 10; GFP: 50")
       ->check(CLI::Range(1, 1000));
-  verb->add_option("--seed", options->params.seed, "of RANSAC, default 1")
+  auto grid = std::make_shared<bool>(false);
+  verb->add_flag(
+      "--grid-normals", *grid,
+      "GSR takes normals from a grid, as in the thesis, not the keypoints' orientations");
+  verb->add_option("--seed", options->params.thesis.seed, "of RANSAC, default 1")
       ->check(CLI::NonNegativeNumber);
-  verb->callback([options] { evaluate_logs(*options); });
+  verb->callback([options, methods, grid] {
+    if (!methods->empty()) options->params.methods = split(*methods);
+    if (*grid) options->params.thesis.normals = KeypointNormals::kGrid;
+    evaluate_logs(*options);
+  });
 }
 
 }  // namespace

@@ -11,6 +11,13 @@ static void to_json(nlohmann::json& json, const LoopTiming& time) {
   json = {{"mean_ms", time.mean}, {"median_ms", time.median}, {"p99_ms", time.p99}};
 }
 
+static void to_json(nlohmann::json& json, const LoopSummary& summary) {
+  json = {{"break_even", summary.break_even},
+          {"recall_at_100", summary.recall_at_100},
+          {"recall_at_95", summary.recall_at_95},
+          {"f1", summary.f1}};
+}
+
 static void to_json(nlohmann::json& json, const LoopOperatingPoint& point) {
   json = {{"min_score", point.min_score},
           {"precision", point.precision},
@@ -20,64 +27,107 @@ static void to_json(nlohmann::json& json, const LoopOperatingPoint& point) {
 }
 
 static void to_json(nlohmann::json& json, const LoopMethodResult& result) {
-  json = {{"method", result.method},
-          {"protocol", name_of(result.protocol)},
-          {"scans", result.scans},
-          {"loops", result.loops},
-          {"break_even", result.summary.break_even},
-          {"recall_at_100", result.summary.recall_at_100},
-          {"recall_at_95", result.summary.recall_at_95},
-          {"f1", result.summary.f1},
-          {"curve", result.curve},
-          {"creation", result.creation},
-          {"closing", result.closing}};
-  if (result.accepted.closures > 0) {
-    json["accepted"] = result.accepted;
+  json = result.summary;
+  json.update({{"method", result.method},
+               {"protocol", name_of(result.protocol)},
+               {"scans", result.scans},
+               {"loops", result.loops},
+               {"curve", result.curve},
+               {"creation", result.creation},
+               {"closing", result.closing}});
+  if (result.detection) json["detection"] = *result.detection;
+  if (result.search) json["search"] = *result.search;
+  if (result.association) json["association"] = *result.association;
+  if (result.accepted) {
+    json["accepted"] = *result.accepted;
     json["ambiguous"] = result.ambiguous;
   }
+}
+
+static void to_json(nlohmann::json& json, const KidnappedResult& result) {
+  json = {{"scans", result.scans},
+          {"visited", result.visited},
+          {"best_right", result.best_right},
+          {"any_right", result.any_right},
+          {"best", result.best},
+          {"locating", result.locating},
+          {"travelled", result.travelled}};
 }
 
 namespace cli {
 namespace {
 
-std::string three_digits(double number) {
+std::string number(const std::optional<double>& value) {
+  if (!value) return "-";
   char text[16];
-  std::snprintf(text, sizeof text, "%5.3f", number);
+  std::snprintf(text, sizeof text, "%.3f", *value);
   return text;
+}
+
+std::optional<double> mean_of(const std::optional<LoopTiming>& timing) {
+  return timing ? std::optional<double>(timing->mean) : std::nullopt;
+}
+
+void print_accepted(const LoopMethodResult& result) {
+  if (!result.accepted) return;
+  const LoopOperatingPoint& point = *result.accepted;
+  std::printf(
+      "  %-14s accepted by itself, at a score of %.2f: %zu closures, %zu wrong; recall "
+      "%.3f; %zu refused as ambiguous\n",
+      "", point.min_score, point.closures, point.wrong, point.recall, result.ambiguous);
+}
+
+void print_method(const LoopMethodResult& result) {
+  const LoopSummary& s = result.summary;
+  const auto break_even = s.break_even > 0.0 ? std::optional<double>(s.break_even) : std::nullopt;
+  std::printf(
+      "  %-14s       %5s                %5.3f  %5.3f        %5.3f    "
+      "%6s %6s %6s %6s   %7.3f %7.3f %7.3f\n",
+      result.method.c_str(), number(break_even).c_str(), s.recall_at_100, s.recall_at_95, s.f1,
+      number(mean_of(result.detection)).c_str(), number(result.creation.mean).c_str(),
+      number(mean_of(result.search)).c_str(), number(mean_of(result.association)).c_str(),
+      result.closing.mean, result.closing.median, result.closing.p99);
+  print_accepted(result);
+}
+
+void print_kidnapped(const KidnappedResult& result) {
+  std::printf("\nkidnapped: %zu scans, %zu of them of a place seen at another time\n", result.scans,
+              result.visited);
+  std::printf(
+      "  one scan       right: the best hypothesis %.3f, one of those returned %.3f; recall at "
+      "precision 1 by score %.3f; ms: %.3f\n",
+      result.best_right, result.any_right, result.best.recall_at_100, result.locating.mean);
+  const LoopMethodResult& travelled = result.travelled;
+  std::printf("  after 3 m      recall at precision 1, .95 %.3f %.3f; greatest F1 %.3f\n",
+              travelled.summary.recall_at_100, travelled.summary.recall_at_95,
+              travelled.summary.f1);
+  print_accepted(travelled);
 }
 
 }  // namespace
 
-void print_report(const std::vector<LoopMethodResult>& results) {
+void print_report(const LoopEvaluation& evaluation) {
   const LoopMethodResult* last = nullptr;
-  for (const LoopMethodResult& result : results) {
+  for (const LoopMethodResult& result : evaluation.methods) {
     if (last == nullptr || last->protocol != result.protocol) {
       std::printf("\n%s: %zu scans, %zu of them with a loop to be found\n",
                   name_of(result.protocol), result.scans, result.loops);
       std::printf(
-          "  %-14s  break-even  recall at precision 1, .95  greatest F1   "
-          "ms: create, close mean, median, p99\n",
+          "  %-14s  break-even  recall at precision 1, .95  greatest F1   ms: detect create search "
+          "assoc.   all: mean  median     p99\n",
           "");
     }
     last = &result;
-    const LoopSummary& s = result.summary;
-    const std::string break_even = s.break_even > 0.0 ? three_digits(s.break_even) : "-";
-    std::printf(
-        "  %-14s       %5s                %5.3f  %5.3f        %5.3f         "
-        "%6.3f      %6.3f  %6.3f %6.3f\n",
-        result.method.c_str(), break_even.c_str(), s.recall_at_100, s.recall_at_95, s.f1,
-        result.creation.mean, result.closing.mean, result.closing.median, result.closing.p99);
-    const LoopOperatingPoint& point = result.accepted;
-    if (point.closures > 0) {
-      std::printf(
-          "  %-14s accepted by itself, at a score of %.2f: %zu closures, %zu wrong; recall "
-          "%.3f; %zu refused as ambiguous\n",
-          "", point.min_score, point.closures, point.wrong, point.recall, result.ambiguous);
-    }
+    print_method(result);
   }
+  if (evaluation.kidnapped) print_kidnapped(*evaluation.kidnapped);
 }
 
-nlohmann::json as_json(const std::vector<LoopMethodResult>& results) { return results; }
+nlohmann::json as_json(const LoopEvaluation& evaluation) {
+  nlohmann::json json = {{"methods", evaluation.methods}};
+  if (evaluation.kidnapped) json["kidnapped"] = *evaluation.kidnapped;
+  return json;
+}
 
 }  // namespace cli
 }  // namespace falko_slam

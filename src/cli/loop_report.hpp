@@ -3,7 +3,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "falko_slam/evaluation/loop_evaluation.hpp"
 
@@ -11,10 +10,10 @@ namespace falko_slam {
 namespace cli {
 
 /// The tables as text on standard output.
-void print_report(const std::vector<LoopMethodResult>& results);
+void print_report(const LoopEvaluation& evaluation);
 
-/// All figures; scripts/plot_loops draws them.
-nlohmann::json as_json(const std::vector<LoopMethodResult>& results);
+/// All figures: "methods", which scripts/plot_loops draws, and "kidnapped".
+nlohmann::json as_json(const LoopEvaluation& evaluation);
 
 }  // namespace cli
 }  // namespace falko_slam

@@ -17,6 +17,8 @@ const char* name_of(LoopProtocol protocol) {
       return "online";
     case LoopProtocol::kRevisits:
       return "revisits";
+    case LoopProtocol::kKidnapped:
+      return "kidnapped";
   }
   return "unknown";
 }
@@ -44,6 +46,9 @@ LoopTruth::LoopTruth(const std::vector<PosedScan>& scans, LoopProtocol protocol,
 
 bool LoopTruth::admits(std::size_t source, std::size_t target) const {
   if (protocol_ == LoopProtocol::kOffline) return source != target;
+  if (protocol_ == LoopProtocol::kKidnapped) {
+    return std::abs(paths_[source] - paths_[target]) >= params_.min_path;
+  }
   if (target >= source) return false;
   if (protocol_ == LoopProtocol::kRevisits) {
     return paths_[source] - paths_[target] >= params_.min_path;

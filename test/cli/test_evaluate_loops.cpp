@@ -73,12 +73,63 @@ TEST_F(EvaluateLoopsCommand, WritesAllMethodsUnderAllProtocols) {
     }
   }
   std::set<std::string> expected;
-  for (const std::string method : {"GLAROT-CG", "GLAROT-AH", "GLAROT-RANSAC", "falko_slam"}) {
+  for (const std::string method :
+       {"GFP", "GSR-FLIRT", "GSR-FALKO", "GLAROT-CG", "GLAROT-AH", "GLAROT-RANSAC", "falko_slam"}) {
     for (const std::string protocol : {"offline", "online", "revisits"}) {
       expected.insert(method + " " + protocol);
     }
   }
   EXPECT_EQ(found, expected);
+}
+
+TEST_F(EvaluateLoopsCommand, WritesTimesOfThePartsThatAMethodHas) {
+  const std::string path = folder_.file("figures.json");
+  const auto result = evaluate(folder_.write("office.log", posed_log()),
+                               {"--json", path, "--methods", "GLAROT-CG,falko_slam"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  for (const json& entry : json::parse(test::whole_file(path)).at(0).at("methods")) {
+    for (const char* part : {"detection", "search", "association"}) {
+      EXPECT_EQ(entry.contains(part), entry.at("method") == "GLAROT-CG") << entry << part;
+    }
+    for (const char* whole : {"creation", "closing"}) {
+      EXPECT_GT(entry.at(whole).at("mean_ms").get<double>(), 0.0) << entry << whole;
+    }
+  }
+}
+
+TEST_F(EvaluateLoopsCommand, RunsTheMethodsAskedFor) {
+  const std::string path = folder_.file("figures.json");
+  const std::string log = folder_.write("office.log", posed_log());
+  const auto ours = evaluate(log, {"--json", path, "--methods", "falko_slam"});
+  ASSERT_EQ(ours.exit_code, 0) << ours.errors;
+  json figures = json::parse(test::whole_file(path)).at(0);
+  ASSERT_EQ(figures.at("methods").size(), 3U);
+  EXPECT_EQ(figures.at("methods").at(0).at("method"), "falko_slam");
+  EXPECT_EQ(figures.at("kidnapped").at("scans"), kScans);
+  EXPECT_TRUE(ours.says("\nkidnapped: " + std::to_string(kScans) + " scans")) << ours.output;
+
+  const auto other = evaluate(log, {"--json", path, "--methods", "GLAROT-RANSAC"});
+  ASSERT_EQ(other.exit_code, 0) << other.errors;
+  figures = json::parse(test::whole_file(path)).at(0);
+  EXPECT_EQ(figures.at("methods").size(), 3U);
+  EXPECT_FALSE(figures.contains("kidnapped"));
+}
+
+TEST_F(EvaluateLoopsCommand, TakesNormalsFromAGridIfAsked) {
+  const std::string log = folder_.write("office.log", posed_log());
+  const auto result = evaluate(log, {"--methods", "GSR-FALKO", "--grid-normals"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(result.says("GSR-FALKO")) << result.output;
+}
+
+TEST_F(EvaluateLoopsCommand, NamesTheMethodsThereAre) {
+  const std::string log = folder_.write("office.log", posed_log());
+  const auto result = evaluate(log, {"--methods", "falko_slam,SIFT"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_TRUE(result.complains("--methods")) << result.errors;
+  EXPECT_TRUE(result.complains("\"SIFT\" is not one of")) << result.errors;
+  EXPECT_TRUE(result.complains("GLAROT-CG, falko_slam")) << result.errors;
+  EXPECT_EQ(result.output, "");
 }
 
 TEST_F(EvaluateLoopsCommand, RefusesLogsWithoutPoses) {
@@ -98,7 +149,7 @@ TEST_F(EvaluateLoopsCommand, RefusesLogsWithoutPoses) {
 TEST_F(EvaluateLoopsCommand, NamesAnOptionWithABadValue) {
   const std::string log = folder_.write("office.log", posed_log());
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-           {"--candidates", "0"}, {"--candidates", "ten"}, {"--seed", "-1"}}) {
+           {"--candidates", "0"}, {"--candidates", "ten"}, {"--seed", "-1"}, {"--methods", ""}}) {
     const auto result = evaluate(log, {option, value});
     EXPECT_NE(result.exit_code, 0) << option << " " << value;
     EXPECT_TRUE(result.complains(option)) << result.errors;

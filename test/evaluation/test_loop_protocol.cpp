@@ -62,6 +62,19 @@ TEST(LoopTruth, RevisitsAdmitsEarlierOnesFarBackOnTheWay) {
   EXPECT_TRUE(truth.has_loop(4));
 }
 
+TEST(LoopTruth, KidnappedAdmitsWhatIsFarOnTheWayBothBackAndAhead) {
+  const LoopTruth truth(at(kThereAndBack), LoopProtocol::kKidnapped);
+  EXPECT_TRUE(truth.admits(4, 0));
+  EXPECT_TRUE(truth.admits(0, 4));
+  EXPECT_FALSE(truth.admits(4, 1));
+  EXPECT_FALSE(truth.admits(1, 4));
+  EXPECT_FALSE(truth.admits(2, 2));
+  EXPECT_EQ(truth.loops(), 2U);
+  EXPECT_TRUE(truth.has_loop(0));
+  EXPECT_TRUE(truth.has_loop(4));
+  EXPECT_EQ(truth.protocol(), LoopProtocol::kKidnapped);
+}
+
 TEST(LoopTruth, ALoopIsNearAndTurnedLittle) {
   const LoopProtocolParams params;
   const auto has_loop = [&](const Pose2& second) {

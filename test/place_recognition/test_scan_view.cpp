@@ -90,7 +90,7 @@ TEST(ScanView, PointsLieOnTheWallWithLessNoiseThanBeams) {
   const ScanView view = view_of(single_wall(), 1440, 0.02);
   double squares = 0.0;
   for (const SurfacePoint& point : view.points()) {
-    const double off = std::abs(point.position.x()) - 2.0;
+    const double off = point.position.y() - 2.0;
     squares += off * off;
   }
   EXPECT_LT(std::sqrt(squares / static_cast<double>(view.points().size())), 0.015);

@@ -3,51 +3,41 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "falko_slam/evaluation/loop_protocol.hpp"
-#include "falko_slam/place_recognition/loop_detector.hpp"
+#include "falko_slam/evaluation/kidnapped_study.hpp"
+#include "falko_slam/evaluation/thesis_methods.hpp"
 
 namespace falko_slam {
+
+/// Those of thesis_method_names(), and "falko_slam": our loop detector.
+std::vector<std::string> loop_method_names();
 
 struct LoopEvaluationParams {
   std::vector<LoopProtocol> protocols = {LoopProtocol::kOffline, LoopProtocol::kOnline,
                                          LoopProtocol::kRevisits};
+  std::vector<std::string> methods = loop_method_names();
   LoopProtocolParams protocol;
+  ThesisMethodParams thesis;
   LoopDetectorParams detector;
-  int candidates = 10;             ///< of the thesis' methods
-  double neighbor_distance = 0.1;  ///< keypoints that are nearer after alignment count [m]
-  std::uint64_t seed = 1;          ///< of RANSAC
 };
 
-struct LoopTiming {
-  double mean = 0.0;    ///< [ms]
-  double median = 0.0;  ///< [ms]
-  double p99 = 0.0;     ///< [ms]
+/// Throws std::invalid_argument, with the names that are known, if a method is not, or none is
+/// asked for.
+void validate(const LoopEvaluationParams& params);
+
+struct LoopEvaluation {
+  std::vector<LoopMethodResult> methods;     ///< by protocol, then by method
+  std::optional<KidnappedResult> kidnapped;  ///< of our detector
 };
 
-/// One method under one protocol.
-struct LoopMethodResult {
-  std::string method;
-  LoopProtocol protocol = LoopProtocol::kOffline;
-  std::size_t scans = 0;
-  std::size_t loops = 0;
-  LoopSummary summary;
-  LoopOperatingPoint accepted;  ///< what our detector accepts by itself; of no other method
-  std::size_t ambiguous = 0;    ///< scans whose best loop it refused as ambiguous
-  std::vector<LoopOperatingPoint> curve;
-  LoopTiming creation;  ///< keypoints and signature
-  LoopTiming closing;   ///< search, association and verification of one scan
-};
-
-/// Fig. 4.2 and Table 4.1 of \cite kallasi2017 for one log: GLAROT signatures of FALKO keypoints
-/// with correspondence graph, affine Hough transform and RANSAC, and our loop detector.
-///
-/// Of the thesis' methods the candidate wins after whose alignment the most keypoints have a
-/// neighbour; their number is the score. `tell` hears what is worked on.
-std::vector<LoopMethodResult> evaluate_loops(const std::vector<PosedScan>& scans,
-                                             const LoopEvaluationParams& params,
-                                             const std::function<void(const std::string&)>& tell);
+/// Fig. 4.2 and Table 4.1 of \cite kallasi2017 for one log, and how well our detector places a
+/// robot that does not know where it is. `tell` hears what is worked on.
+/// Throws std::invalid_argument as validate().
+LoopEvaluation evaluate_loops(const std::vector<PosedScan>& scans,
+                              const LoopEvaluationParams& params,
+                              const std::function<void(const std::string&)>& tell);
 
 }  // namespace falko_slam

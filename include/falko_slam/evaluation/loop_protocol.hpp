@@ -15,13 +15,16 @@ enum class LoopProtocol {
   kOffline,   ///< all others
   kOnline,    ///< earlier ones, not at the same place: another x, y or heading by the thresholds
   kRevisits,  ///< earlier ones at least `min_path` of way back
+  /// Earlier and later ones at least `min_path` of way off: a robot that does not know where it is,
+  /// with a map of everywhere else on its way. Not of the thesis.
+  kKidnapped,
 };
 const char* name_of(LoopProtocol protocol);
 
 struct LoopProtocolParams {
   double min_step = 0.20;             ///< x_th and y_th [m]
   double min_turn = 0.35;             ///< theta_th [rad]
-  double min_path = 10.0;             ///< of kRevisits [m]
+  double min_path = 10.0;             ///< of kRevisits and kKidnapped [m]
   double loop_distance = 1.0;         ///< a scan has a loop if one that it may be closed with is
   double loop_turn = 0.785398163397;  ///< within this distance [m] and turn [rad]
   double max_error = 0.50;            ///< of a right closure [m]
@@ -39,6 +42,7 @@ class LoopTruth {
   bool is_right(std::size_t source, std::size_t target, const Pose2& target_T_source) const;
   std::size_t loops() const;
   std::size_t scans() const { return poses_.size(); }
+  LoopProtocol protocol() const { return protocol_; }
 
  private:
   std::vector<Pose2> poses_;
