@@ -87,7 +87,7 @@ TEST(ScanView, PointsAreAboutTheSpacingApart) {
 }
 
 TEST(ScanView, PointsLieOnTheWallWithLessNoiseThanBeams) {
-  const ScanView view = view_of(single_wall(), 1440, 0.02);
+  const ScanView view = view_of(single_wall(), 1440, 0.01);
   double squares = 0.0;
   for (const SurfacePoint& point : view.points()) {
     const double off = point.position.y() - 2.0;
