@@ -125,9 +125,11 @@ void LoopDetector::Memory::ask_neighbors(const Keyframe& source, LoopCandidate& 
   // Nothing that came after the source, unless later places were asked for.
   const KeyframeId target = candidate.target;
   const std::size_t end = target < source.id ? source.id.value : keyframes.size();
-  const Agreement neighbors = neighborhood_agreement(
-      neighborhood(target, end), neighborhood(source.id, source.id.value + 1),
-      candidate.target_T_source->pose, params.agreement);
+  AgreementParams agreement = params.agreement;
+  agreement.tolerance = params.neighbor_tolerance;
+  const Agreement neighbors = neighborhood_agreement(neighborhood(target, end),
+                                                     neighborhood(source.id, source.id.value + 1),
+                                                     candidate.target_T_source->pose, agreement);
   candidate.score = neighborhood_score(candidate.scan_score, neighbors);
 }
 

@@ -34,10 +34,13 @@ struct LoopDetectorParams {
   double neighborhood = 3.0;
   double neighbor_spacing = 0.5;
   int max_neighbors = 6;
+  /// As AgreementParams::tolerance, greater by what odometry errs within the neighbourhood.
+  /// [0.001, 10] [m]
+  double neighbor_tolerance = 0.15;
   /// Keyframes of the same drive less than this length of way back are no loops. [m]
   double min_path = 10.0;
   /// Loops with at least this score are accepted. Greater: fewer false ones, and fewer. [0, 1]
-  double min_score = 0.4;
+  double min_score = 0.45;
   /// The best loop is refused if a contradicting one has at least this share of its score: another
   /// pose to the same keyframe, or to another one that puts the source elsewhere. [0, 1]
   double ambiguity = 0.4;
