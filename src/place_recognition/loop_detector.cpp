@@ -45,6 +45,7 @@ struct LoopDetector::Memory {
   TwoPointMatcher rival_matcher;  // several for the best one
   SignatureIndex index;
   std::vector<Keyframe> keyframes;
+  bool new_drive = false;  // the next keyframe begins one
 
   const Keyframe& at(KeyframeId id) const { return keyframes.at(id.value); }
 
@@ -130,7 +131,7 @@ void LoopDetector::Memory::verify_best(const Keyframe& source,
   std::stable_sort(candidates.begin(), candidates.end(), better);
 }
 
-// The centre and the keyframes up to `end` along the way on both sides of it.
+// The centre and the keyframes of its drive up to `end` along the way on both sides of it.
 Neighborhood LoopDetector::Memory::neighborhood(KeyframeId center, std::size_t end,
                                                 const LoopDetectorParams& params) const {
   const Keyframe& middle = at(center);
@@ -142,6 +143,7 @@ Neighborhood LoopDetector::Memory::neighborhood(KeyframeId center, std::size_t e
     for (auto i = static_cast<std::ptrdiff_t>(center.value) + direction;
          i >= 0 && i < static_cast<std::ptrdiff_t>(end) && left > 0; i += direction) {
       const Keyframe& here = keyframes[static_cast<std::size_t>(i)];
+      if (here.drive != middle.drive) break;
       if (std::abs(here.path - middle.path) > params.neighborhood) break;
       if (std::abs(here.path - last) < params.neighbor_spacing) continue;
       result.members.push_back({&here, middle.odom_T_laser.inverse() * here.odom_T_laser});
@@ -165,10 +167,13 @@ void LoopDetector::Memory::ask_neighbors(const Keyframe& source, LoopCandidate& 
   candidate.score = neighborhood_score(candidate.scan_score, neighbors);
 }
 
+// Targets of different drives do not: nothing says where one drive lies in the other, and places
+// seen on two drives would refuse each other for ever.
 bool LoopDetector::Memory::contradict(const LoopCandidate& a, const LoopCandidate& b,
                                       const LoopDetectorParams& params) const {
   const Keyframe& target_a = at(a.target);
   const Keyframe& target_b = at(b.target);
+  if (target_a.drive != target_b.drive) return false;
   const Pose2 difference = (target_a.odom_T_laser * a.target_T_source->pose).inverse() *
                            (target_b.odom_T_laser * b.target_T_source->pose);
   const double way = std::abs(target_a.path - target_b.path);
@@ -214,20 +219,25 @@ KeyframeId LoopDetector::add(const LaserScan& scan, const Pose2& odom_T_laser) {
   keyframe.odom_T_laser = odom_T_laser;
   if (!memory_->keyframes.empty()) {
     const Keyframe& last = memory_->keyframes.back();
+    keyframe.drive = last.drive + (memory_->new_drive ? 1U : 0U);
     const Eigen::Vector2d step = odom_T_laser.translation() - last.odom_T_laser.translation();
-    keyframe.path = last.path + step.norm();
+    if (!memory_->new_drive) keyframe.path = last.path + step.norm();
   }
+  memory_->new_drive = false;
   if (!keyframe.signature.empty()) memory_->index.add(keyframe.id, keyframe.signature);
   memory_->keyframes.push_back(std::move(keyframe));
   return memory_->keyframes.back().id;
 }
+
+void LoopDetector::begin_drive() { memory_->new_drive = !memory_->keyframes.empty(); }
 
 LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits) {
   const Keyframe& source = memory_->at(id);
   const auto admitted = [&](const Keyframe& target) {
     if (target.id == id) return false;
     if (admits) return admits(target);
-    return target.id < id && source.path - target.path >= params_.min_path;
+    if (target.id.value > id.value) return false;
+    return target.drive != source.drive || source.path - target.path >= params_.min_path;
   };
   LoopDetection detection{memory_->match(source, admitted, params_)};
   memory_->verify_best(source, detection.candidates, params_);

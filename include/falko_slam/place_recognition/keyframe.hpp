@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "falko_slam/common/keyframe_id.hpp"
@@ -17,8 +18,9 @@ namespace falko_slam {
 /// A scan as the loop detector remembers it.
 struct Keyframe {
   KeyframeId id;
+  std::size_t drive = 0;           ///< poses and paths compare within one drive only
   Pose2 odom_T_laser;              ///< right relative to those of the last metres only
-  double path = 0.0;               ///< length of the way there since the first keyframe [m]
+  double path = 0.0;               ///< length of the way there since the drive's first keyframe [m]
   std::vector<MatchPoint> points;  ///< corners and wall ends, laser frame
   Signature signature;             ///< GLARE of the points beside GLARE of the walls
   ScanView view;
@@ -44,7 +46,7 @@ class KeyframeBuilder {
  public:
   explicit KeyframeBuilder(const KeyframeParams& params = {});
 
-  /// Id, pose and path are left to the caller.
+  /// Id, drive, pose and path are left to the caller.
   Keyframe build(const LaserScan& scan);
 
   const KeyframeParams& params() const { return params_; }

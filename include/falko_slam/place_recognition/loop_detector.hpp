@@ -33,7 +33,7 @@ struct LoopDetectorParams {
   double neighborhood = 3.0;
   double neighbor_spacing = 0.5;
   int max_neighbors = 6;
-  /// Keyframes less than this length of way back are no loops. [m]
+  /// Keyframes of the same drive less than this length of way back are no loops. [m]
   double min_path = 10.0;
   /// Loops with at least this score are accepted. Greater: fewer false ones, and fewer. [0, 1]
   double min_score = 0.55;
@@ -88,7 +88,9 @@ struct LoopDetection {
 /// or with the reason why not; at most one is accepted.
 ///
 /// Keyframes are numbered in the order in which they are added. Their poses need to be right over
-/// the neighbourhood only. Not thread-safe.
+/// the neighbourhood only. A drive is what one odometry connects: poses and lengths of way are
+/// never compared between drives, and keyframes of different drives may be loops however short the
+/// way. Not thread-safe.
 class LoopDetector {
  public:
   explicit LoopDetector(const LoopDetectorParams& params = {});
@@ -97,11 +99,14 @@ class LoopDetector {
   LoopDetector& operator=(LoopDetector&&) noexcept;
 
   KeyframeId add(const LaserScan& scan, const Pose2& odom_T_laser);
+  /// The odometry of the keyframes to come has nothing to do with that of those before.
+  void begin_drive();
   const std::vector<Keyframe>& keyframes() const;
 
   using Admission = std::function<bool(const Keyframe& target)>;
-  /// Loops from a keyframe to those at least `min_path` back; if given, to those that `admits` lets
-  /// through, which may be later ones too. Throws std::out_of_range if there is no such keyframe.
+  /// Loops from a keyframe to those at least `min_path` back or of an earlier drive; if given, to
+  /// those that `admits` lets through, which may be later ones too. Throws std::out_of_range if
+  /// there is no such keyframe.
   LoopDetection detect(KeyframeId source, const Admission& admits = {});
 
   /// Where among all keyframes a scan may have been taken, from this scan alone: at most `count`
