@@ -36,7 +36,8 @@ KeyframeMemory::KeyframeMemory(const LoopClosureParams& params,
 
 KeyframeId KeyframeMemory::add(KeyframeRecord record) {
   const KeyframeId id = detector_.add(record.scan, odometry_.add(record.scan, record.odom_T_laser));
-  record.drive = keyframe(id).drive;
+  record.drive = drive_;
+  record.scan.intensities.clear();
   records_.push_back(std::move(record));
   return id;
 }
@@ -44,6 +45,7 @@ KeyframeId KeyframeMemory::add(KeyframeRecord record) {
 void KeyframeMemory::begin_drive() {
   detector_.begin_drive();
   odometry_.reset();
+  drive_ = records_.empty() ? 0 : records_.back().drive + 1;
 }
 
 }  // namespace falko_slam

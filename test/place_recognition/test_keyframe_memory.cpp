@@ -107,7 +107,9 @@ TEST_F(KeyframeMemoryTest, BeginsAnotherDriveAfterWhatWasLoaded) {
   KeyframeMemory memory({});
   drive(memory, first_, {});
   KeyframeMemory loaded({}, memory.records());
+  EXPECT_EQ(loaded.drive(), 1U);
   drive(loaded, second_, {});
+  EXPECT_EQ(loaded.keyframe({first_.size()}).drive, 1U);
   EXPECT_EQ(loaded.record({first_.size() - 1}).drive, 0U);
   EXPECT_EQ(loaded.record({first_.size()}).drive, 1U);
   EXPECT_EQ(loaded.keyframe({first_.size()}).path, 0.0);

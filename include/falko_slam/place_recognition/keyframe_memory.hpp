@@ -38,6 +38,8 @@ class KeyframeMemory {
   KeyframeId add(KeyframeRecord record);
   /// The odometry of the keyframes to come has nothing to do with that of those before.
   void begin_drive();
+  /// That the next keyframe will belong to.
+  std::size_t drive() const { return drive_; }
 
   /// The loops of a keyframe that has been added.
   LoopDetection detect(KeyframeId id) { return detector_.detect(id); }
@@ -54,6 +56,7 @@ class KeyframeMemory {
   LoopDetector detector_;
   ScanOdometry odometry_;
   std::vector<KeyframeRecord> records_;
+  std::size_t drive_ = 0;
 };
 
 }  // namespace falko_slam
