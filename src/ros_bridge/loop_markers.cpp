@@ -9,6 +9,9 @@ namespace {
 
 using visualization_msgs::Marker;
 
+// Refused candidates whose scans fit less are not worth a line.
+constexpr double kLeastScore = 0.5;
+
 geometry_msgs::Point position_of(const Pose2& pose) {
   geometry_msgs::Point point;
   point.x = pose.x();
@@ -16,12 +19,12 @@ geometry_msgs::Point position_of(const Pose2& pose) {
   return point;
 }
 
-std_msgs::ColorRGBA color(float red, float green, float blue) {
+std_msgs::ColorRGBA color(float red, float green, float blue, float alpha = 1.0F) {
   std_msgs::ColorRGBA result;
   result.r = red;
   result.g = green;
   result.b = blue;
-  result.a = 1.0F;
+  result.a = alpha;
   return result;
 }
 
@@ -65,13 +68,14 @@ void LoopMarkers::add(const KeyframeRecord& record) {
 
 void LoopMarkers::add(const KeyframeMemory& memory, KeyframeId source,
                       const LoopDetection& detection) {
-  for (const LoopCandidate& candidate : detection.candidates) {
-    if (candidate.score <= 0.0) continue;
-    Points& lines = candidate.verdict == LoopVerdict::kAccepted ? accepted_ : rejected_;
-    lines.push_back(position_of(memory.record(source).odom_T_laser));
-    lines.push_back(position_of(memory.record(candidate.target).odom_T_laser));
-    shorten(lines, 2 * kMostLoops);
-  }
+  if (detection.candidates.empty()) return;
+  const LoopCandidate& best = detection.candidates.front();
+  const bool accepted = best.verdict == LoopVerdict::kAccepted;
+  if (!accepted && best.scan_score < kLeastScore) return;
+  Points& lines = accepted ? accepted_ : rejected_;
+  lines.push_back(position_of(memory.record(source).odom_T_laser));
+  lines.push_back(position_of(memory.record(best.target).odom_T_laser));
+  shorten(lines, 2 * (accepted ? kMostAccepted : kMostRejected));
 }
 
 visualization_msgs::MarkerArray LoopMarkers::markers(const ros::Time& stamp) const {
@@ -80,7 +84,8 @@ visualization_msgs::MarkerArray LoopMarkers::markers(const ros::Time& stamp) con
       list_marker("earlier_keyframes", Marker::POINTS, 0.1, color(0.4F, 0.4F, 0.7F),
                   earlier_keyframes_),
       list_marker("keyframes", Marker::POINTS, 0.1, color(0.2F, 0.5F, 1.0F), keyframes_),
-      list_marker("rejected_loops", Marker::LINE_LIST, 0.02, color(0.5F, 0.5F, 0.5F), rejected_),
+      list_marker("rejected_loops", Marker::LINE_LIST, 0.02, color(0.6F, 0.6F, 0.6F, 0.4F),
+                  rejected_),
       list_marker("accepted_loops", Marker::LINE_LIST, 0.05, color(0.0F, 0.9F, 0.2F), accepted_)};
   for (Marker& marker : array.markers) {
     marker.header.stamp = stamp;

@@ -365,8 +365,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, LaunchedLoopClosure, ::testing::Values("as_nodele
 TEST_P(LaunchedLoopClosure, MakesKeyframes) {
   LoopClient client(GetParam(), "launched_odom");
   ASSERT_TRUE(client.connected());
-  client.set_time(9000.0);
-  ASSERT_TRUE(spin_until([&] { return client.step({}, {}) || !client.keyframes.empty(); }));
+  client.set_time(ros::Time::now().toSec() + 5000.0);  // both ways hear the same tf
+  ASSERT_TRUE(client.step({}, {}));
   ASSERT_TRUE(client.step({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}));
   GlobalLocalization call;
   ASSERT_TRUE(

@@ -30,14 +30,29 @@ TEST(LoopMarkers, DrawKeyframesAndLoopsInTheOdometrysFrame) {
   for (const auto& [name, marker] : found) {
     EXPECT_EQ(marker.header.frame_id, "odom") << name;
     EXPECT_EQ(marker.header.stamp, ros::Time(5)) << name;
-    EXPECT_EQ(marker.action, Marker::ADD) << name;
   }
   EXPECT_EQ(found["keyframes"].points.size(), 1U);
   EXPECT_EQ(found["earlier_keyframes"].points.size(), 2U);
   ASSERT_EQ(found["accepted_loops"].points.size(), 2U);
   EXPECT_GT(found["accepted_loops"].color.g, 0.5F);
   EXPECT_EQ(found["accepted_loops"].points[1].x, memory.record({0}).odom_T_laser.x());
-  EXPECT_EQ(found["rejected_loops"].points.size(), 2U);
+  EXPECT_EQ(found["rejected_loops"].action, Marker::DELETE);
+}
+
+TEST(LoopMarkers, DrawRefusedLoopsInGreyIfTheScansFitted) {
+  const KeyframeMemory memory = test::room_memory();
+  LoopMarkers markers("odom");
+  LoopDetection detection = test::room_loop();
+  detection.candidates[0].verdict = LoopVerdict::kAmbiguous;
+  detection.candidates[0].scan_score = 0.3;
+  markers.add(memory, {2}, detection);
+  EXPECT_EQ(by_name(markers)["rejected_loops"].action, Marker::DELETE);
+  detection.candidates[0].scan_score = 0.9;
+  markers.add(memory, {2}, detection);
+  const Marker grey = by_name(markers)["rejected_loops"];
+  EXPECT_EQ(grey.points.size(), 2U);
+  EXPECT_EQ(grey.color.r, grey.color.g);
+  markers.add(memory, {2}, LoopDetection());
 }
 
 TEST(LoopMarkers, DeleteWhatIsNotThereAnyMore) {

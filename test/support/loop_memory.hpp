@@ -28,6 +28,11 @@ inline KeyframeMemory room_memory() {
 
 /// The loop of keyframe 2 with keyframe 0, and candidates that were refused.
 inline LoopDetection room_loop() {
+  const auto estimate = [](const Pose2& pose) {
+    PoseEstimate result;
+    result.pose = pose;
+    return result;
+  };
   LoopDetection detection;
   detection.candidates.resize(3);
   detection.candidates[0].target = {0};
@@ -37,11 +42,11 @@ inline LoopDetection room_loop() {
   detection.candidates[0].pairs = 7;
   detection.candidates[0].signature_distance = 123;
   detection.candidates[0].rms_residual = 0.02;
-  detection.candidates[0].target_T_source = PoseEstimate{{0.6, 0.1, 0.0}, {}};
+  detection.candidates[0].target_T_source = estimate({0.6, 0.1, 0.0});
   detection.candidates[1].target = {1};
   detection.candidates[1].verdict = LoopVerdict::kLowScore;
   detection.candidates[1].score = 0.2;
-  detection.candidates[1].target_T_source = PoseEstimate{{-0.6, 0.1, 0.0}, {}};
+  detection.candidates[1].target_T_source = estimate({-0.6, 0.1, 0.0});
   detection.candidates[2].target = {1};
   detection.candidates[2].verdict = LoopVerdict::kNotMatched;
   return detection;

@@ -12,8 +12,9 @@
 namespace falko_slam {
 
 /// For rviz, in the odometry's frame: keyframes of the current drive as points ("keyframes"), those
-/// of earlier ones ("earlier_keyframes"), accepted loops as green lines ("accepted_loops"), and
-/// grey ones where two scans fitted and were refused all the same ("rejected_loops").
+/// of earlier ones ("earlier_keyframes"), accepted loops as green lines ("accepted_loops"), and in
+/// grey the best candidates of other keyframes if the scans fitted and were refused all the same
+/// ("rejected_loops").
 ///
 /// Bounded: of each kind the newest stay. Earlier drives lie where their own odometry had them.
 class LoopMarkers {
@@ -27,7 +28,8 @@ class LoopMarkers {
   visualization_msgs::MarkerArray markers(const ros::Time& stamp) const;
 
   static constexpr std::size_t kMostKeyframes = 20000;
-  static constexpr std::size_t kMostLoops = 5000;
+  static constexpr std::size_t kMostAccepted = 5000;
+  static constexpr std::size_t kMostRejected = 300;
 
  private:
   using Points = std::deque<geometry_msgs::Point>;
