@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "falko_slam/evaluation/drive_evaluation.hpp"
 #include "falko_slam/evaluation/loop_evaluation.hpp"
 
 namespace falko_slam {
@@ -15,6 +16,9 @@ void print_report(const std::vector<LoopMethodResult>& results);
 
 /// All figures; scripts/plot_loops draws them.
 nlohmann::json as_json(const std::vector<LoopMethodResult>& results);
+
+void print_report(const std::vector<DriveResult>& results);
+nlohmann::json as_json(const std::vector<DriveResult>& results);
 
 }  // namespace cli
 }  // namespace falko_slam
