@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::uint32_t kScanQueue = 20;
 constexpr std::uint32_t kOutputQueue = 100;
-constexpr double kBufferLength = 30.0;   // of tf [s]
 constexpr double kWarningPeriod = 5.0;   // [s]
 constexpr double kTimerPeriod = 1.0;     // of diagnostics and markers [s]
 constexpr double kClockTolerance = 1.0;  // time may step back by this [s]

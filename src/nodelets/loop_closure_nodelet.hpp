@@ -79,7 +79,7 @@ class LoopClosureNodelet : public nodelet::Nodelet {
   sensor_msgs::LaserScanConstPtr last_scan_;
   ros::Time last_time_;
 
-  tf2_ros::Buffer buffer_;
+  tf2_ros::Buffer buffer_{ros::Duration(120.0)};  // recordings are played fast
   std::unique_ptr<tf2_ros::TransformListener> listener_;
   std::unique_ptr<LaserPoses> poses_;
   message_filters::Subscriber<sensor_msgs::LaserScan> scans_;
