@@ -73,7 +73,7 @@ void take_beam(ByteReader& in, std::size_t beam, LaserScan& scan) {
   scan.status.push_back(static_cast<BeamStatus>(status));
   scan.ranges.push_back(kNaN);
   if (!scan.valid(beam)) return;
-  const double range = static_cast<double>(in.f32());
+  const auto range = static_cast<double>(in.f32());
   require(range >= 0.0 && range <= kFarthest, "beam " + std::to_string(beam) + " has range " +
                                                   std::to_string(range) + ", which makes no sense");
   scan.ranges.back() = range;
