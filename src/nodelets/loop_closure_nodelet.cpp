@@ -17,6 +17,7 @@ constexpr std::uint32_t kScanQueue = 20;
 constexpr std::uint32_t kOutputQueue = 100;
 constexpr double kWarningPeriod = 5.0;   // [s]
 constexpr double kTimerPeriod = 1.0;     // of diagnostics and markers [s]
+constexpr double kAftermath = 10.0;      // of a jump of time [s]
 constexpr double kClockTolerance = 1.0;  // time may step back by this [s]
 
 double steady_now() { return ros::SteadyTime::now().toSec(); }
@@ -113,6 +114,7 @@ void LoopClosureNodelet::on_timer() {
     const std::lock_guard<std::mutex> lock(mutex_);
     // What waits for transforms of the time before would wait until that time comes again.
     if (time_jumped_back() && filter_) filter_->clear();
+    forget_the_future();
     const std::uint32_t subscribers = markers_.getNumSubscribers();
     if (subscribers > 0 && (markers_changed_ || subscribers != marker_subscribers_)) {
       markers_.publish(loop_markers_->markers(ros::Time::now()));
@@ -128,8 +130,15 @@ bool LoopClosureNodelet::time_jumped_back() {
   const double back = (last_time_ - now).toSec();
   last_time_ = now;
   if (back <= kClockTolerance) return false;
+  jumped_ = steady_now();
   begin_drive("time has jumped back by " + std::to_string(back) + " s");
   return true;
+}
+
+void LoopClosureNodelet::forget_the_future() {
+  if (!poses_ || steady_now() - jumped_ > kAftermath) return;
+  const auto newest = poses_->newest(last_scan_ ? last_scan_->header.frame_id : "");
+  if (newest && *newest > ros::Time::now() + ros::Duration(kClockTolerance)) buffer_.clear();
 }
 
 void LoopClosureNodelet::begin_drive(const std::string& reason) {
@@ -174,6 +183,7 @@ void LoopClosureNodelet::on_dropped(const sensor_msgs::LaserScanConstPtr& messag
     missing = "no transform from " + laser + " to " + frame + " at its stamp: " + reason;
   }
   if (missing.empty()) missing = "the transform came too late";
+  forget_the_future();
   diagnostics_->dropped(missing);
   NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "scan dropped, " << missing << "; "
                                                                 << diagnostics_->dropped_scans()

@@ -58,6 +58,9 @@ class LoopClosureNodelet : public nodelet::Nodelet {
 
   /// True if time has jumped back since the last call; a new drive has begun then.
   bool time_jumped_back();
+  /// For some seconds after a jump of time: tf that was on its way comes after the buffer has been
+  /// cleared, and makes it refuse all that follows as too old.
+  void forget_the_future();
   void begin_drive(const std::string& reason);
   /// With the scan's parameters for a laser that hangs so.
   ScanReport normalized(const sensor_msgs::LaserScan& message, const LaserPlace& place,
@@ -78,6 +81,7 @@ class LoopClosureNodelet : public nodelet::Nodelet {
   std::unique_ptr<LoopDiagnostics> diagnostics_;
   sensor_msgs::LaserScanConstPtr last_scan_;
   ros::Time last_time_;
+  double jumped_ = -1e9;  // when time did, steady clock [s]
 
   tf2_ros::Buffer buffer_{ros::Duration(120.0)};  // recordings are played fast
   std::unique_ptr<tf2_ros::TransformListener> listener_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/ros_bridge/laser_pose.hpp"
 
+#include <tf2/exceptions.h>
+
 #include <utility>
 
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
@@ -20,6 +22,15 @@ LaserPlace LaserPoses::mount(const std::string& laser_frame) const {
 
 Pose2 LaserPoses::at(const std::string& laser_frame, const ros::Time& stamp) const {
   return in_plane(buffer_.lookupTransform(odom_frame_, laser_frame, stamp).transform);
+}
+
+std::optional<ros::Time> LaserPoses::newest(const std::string& laser_frame) const {
+  const std::string& frame = base_frame_.empty() ? laser_frame : base_frame_;
+  try {
+    return buffer_.lookupTransform(odom_frame_, frame, ros::Time(0)).header.stamp;
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
 }
 
 std::vector<std::string> LaserPoses::frames() const {

@@ -82,8 +82,9 @@ class LoopClient {
     return scan;
   }
 
-  void send_odometry(const Pose2& odom_T_base) {
-    tf_.publish(to_transform(odom_T_base, from_ros(stamp_), odom_frame_, "base_link"));
+  void send_odometry(const Pose2& odom_T_base) { send_odometry_of(stamp_, odom_T_base); }
+  void send_odometry_of(const ros::Time& stamp, const Pose2& odom_T_base) {
+    tf_.publish(to_transform(odom_T_base, from_ros(stamp), odom_frame_, "base_link"));
   }
   void send(const sensor_msgs::LaserScan& scan) { scans_.publish(scan); }
 

@@ -338,6 +338,10 @@ TEST_F(LoopClosure, BeginsADriveWhenTimeJumpsBackAndWhenTheOdometryIsReset) {
   ASSERT_TRUE(client.step({0.6, 0.0, 0.0}, {0.6, 0.0, 0.0}));
   EXPECT_EQ(client.keyframes.back().drive, 1U);
   EXPECT_EQ(client.keyframes.back().path, 0.0);
+  // A transform of the time before that was late.
+  client.send_odometry_of(ros::Time(5000.5), {0.5, 0.0, 0.0});
+  ASSERT_TRUE(client.step({0.9, 0.0, 0.0}, {0.9, 0.0, 0.0}));
+  EXPECT_EQ(client.keyframes.back().drive, 1U);
   ASSERT_TRUE(client.step({0.7, 0.0, 0.0}, {50.0, 0.0, 0.0}));
   EXPECT_EQ(client.keyframes.back().drive, 2U);
 }

@@ -57,6 +57,16 @@ TEST_F(LaserPosesTest, WithoutABaseFrameAreThoseOfTheLaserAlone) {
   EXPECT_EQ(poses.frames(), std::vector<std::string>{"odom"});
 }
 
+TEST_F(LaserPosesTest, TellHowNewTheyAre) {
+  const LaserPoses poses(buffer_, "odom", "base_link");
+  EXPECT_FALSE(poses.newest("laser"));
+  put(base_T_laser_, 0.0, "base_link", "laser");
+  put({1.0, 0.0, 0.0}, 10.0, "odom", "base_link");
+  put({2.0, 0.0, 0.0}, 12.0, "odom", "base_link");
+  EXPECT_EQ(poses.newest("laser"), ros::Time(12.0));
+  EXPECT_EQ(LaserPoses(buffer_, "odom", "").newest("laser"), ros::Time(12.0));
+}
+
 TEST_F(LaserPosesTest, ThrowWhereTfKnowsNoWay) {
   const LaserPoses poses(buffer_, "odom", "base_link");
   EXPECT_THROW(poses.mount("laser"), tf2::TransformException);

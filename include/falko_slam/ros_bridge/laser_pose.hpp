@@ -32,6 +32,9 @@ class LaserPoses {
   /// odom_T_laser. Throws tf2::TransformException.
   Pose2 at(const std::string& laser_frame, const ros::Time& stamp) const;
 
+  /// Of what tf knows of the vehicle in the odometry's frame. Empty if it knows nothing.
+  std::optional<ros::Time> newest(const std::string& laser_frame) const;
+
   /// To which scans must be connected.
   std::vector<std::string> frames() const;
 
