@@ -136,6 +136,39 @@ void add_loops(CLI::App& evaluate) {
   });
 }
 
+struct EvaluateDriveOptions {
+  std::string raw;
+  std::string corrected;
+  std::string json;
+};
+
+void evaluate_drive_log(const EvaluateDriveOptions& options) {
+  CarmenReport report;
+  const auto scans = load_driven_scans(options.raw, options.corrected, report);
+  std::cout << options.raw << ": " << describe(report) << "\n" << std::flush;
+  std::vector<DriveResult> results;
+  for (const DrivePoses poses :
+       {DrivePoses::kCorrected, DrivePoses::kOdometry, DrivePoses::kRegistered}) {
+    tell(name_of(poses));
+    results.push_back(evaluate_drive(scans, poses));
+  }
+  print_report(results);
+  std::cout << describe_resources() << "\n";
+  if (!options.json.empty()) write_json(options.json, as_json(results));
+}
+
+void add_drive(CLI::App& evaluate) {
+  auto options = std::make_shared<EvaluateDriveOptions>();
+  CLI::App* verb = evaluate.add_subcommand(
+      "drive", "loop closure as the nodelet does it, with the odometry of a raw log");
+  verb->add_option("raw", options->raw, "CARMEN log with scans and odometry")->required();
+  verb->add_option("corrected", options->corrected,
+                   "CARMEN log of the same drive: VERTEX2 before ROBOTLASER1, the same stamps")
+      ->required();
+  verb->add_option("--json", options->json, "write all figures")->check(a_file());
+  verb->callback([options] { evaluate_drive_log(*options); });
+}
+
 }  // namespace
 
 void add_evaluate(CLI::App& app) {
@@ -143,6 +176,7 @@ void add_evaluate(CLI::App& app) {
   verb->require_subcommand(1);
   add_features(*verb);
   add_loops(*verb);
+  add_drive(*verb);
 }
 
 }  // namespace cli

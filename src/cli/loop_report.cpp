@@ -54,6 +54,12 @@ static void to_json(nlohmann::json& json, const KidnappedResult& result) {
           {"travelled", result.travelled}};
 }
 
+static void to_json(nlohmann::json& json, const DriveResult& result) {
+  json = {{"poses", name_of(result.poses)}, {"keyframes", result.keyframes},
+          {"loops", result.loops},          {"accepted", result.accepted},
+          {"ambiguous", result.ambiguous},  {"surest_refused", result.surest_refused}};
+}
+
 namespace cli {
 namespace {
 
@@ -128,6 +134,21 @@ nlohmann::json as_json(const LoopEvaluation& evaluation) {
   if (evaluation.kidnapped) json["kidnapped"] = *evaluation.kidnapped;
   return json;
 }
+
+void print_report(const std::vector<DriveResult>& results) {
+  std::printf(
+      "  poses of the    key-          accep-\n"
+      "  keyframes      frames  loops     ted  wrong  recall  ambiguous  surest wrong one "
+      "refused\n");
+  for (const DriveResult& result : results) {
+    std::printf("  %-12s  %7zu %6zu %7zu %6zu   %5.3f %10zu                   %5.3f\n",
+                name_of(result.poses), result.keyframes, result.loops, result.accepted.closures,
+                result.accepted.wrong, result.accepted.recall, result.ambiguous,
+                result.surest_refused);
+  }
+}
+
+nlohmann::json as_json(const std::vector<DriveResult>& results) { return results; }
 
 }  // namespace cli
 }  // namespace falko_slam

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "falko_slam/evaluation/drive_evaluation.hpp"
 #include "falko_slam/evaluation/loop_evaluation.hpp"
 
 namespace falko_slam {
@@ -14,6 +15,9 @@ void print_report(const LoopEvaluation& evaluation);
 
 /// All figures: "methods", which scripts/plot_loops draws, and "kidnapped".
 nlohmann::json as_json(const LoopEvaluation& evaluation);
+
+void print_report(const std::vector<DriveResult>& results);
+nlohmann::json as_json(const std::vector<DriveResult>& results);
 
 }  // namespace cli
 }  // namespace falko_slam

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t kRoughStride = 4;
 constexpr double kRoughTolerance = 0.3;  // [m]
 constexpr double kRoughRatio = 0.4;
+// Of lengths of way: evenly spaced keyframes shall not be neighbours by chance.
+constexpr double kRounding = 1e-6;  // [m]
 // Alignment may correct the keypoints' pose by this much.
 constexpr double kFarthestMove = 1.0;  // [m]
 constexpr double kWidestTurn = 0.35;   // [rad]
@@ -109,8 +111,8 @@ Neighborhood LoopDetector::Memory::neighborhood(KeyframeId center, std::size_t e
          i >= 0 && i < static_cast<std::ptrdiff_t>(end) && left > 0; i += direction) {
       const Keyframe& here = keyframes[static_cast<std::size_t>(i)];
       if (here.drive != middle.drive) break;
-      if (std::abs(here.path - middle.path) > params.neighborhood) break;
-      if (std::abs(here.path - last) < params.neighbor_spacing) continue;
+      if (std::abs(here.path - middle.path) > params.neighborhood + kRounding) break;
+      if (std::abs(here.path - last) < params.neighbor_spacing - kRounding) continue;
       result.members.push_back({&here, middle.odom_T_laser.inverse() * here.odom_T_laser});
       last = here.path;
       --left;

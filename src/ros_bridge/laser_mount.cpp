@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "falko_slam/ros_bridge/pose_conversion.hpp"
+
 namespace falko_slam {
 
 LaserMount::LaserMount(std::string base_frame)
@@ -15,11 +17,8 @@ std::optional<bool> LaserMount::upside_down(const std::string& laser_frame) {
   const auto known = known_.find(laser_frame);
   if (known != known_.end()) return known->second;
   try {
-    const auto& q =
-        buffer_.lookupTransform(base_frame_, laser_frame, ros::Time(0)).transform.rotation;
-    // The z component of the laser's z axis in the base frame.
-    const double z = 1.0 - 2.0 * (q.x * q.x + q.y * q.y);
-    return known_[laser_frame] = z < 0.0;
+    const auto mount = buffer_.lookupTransform(base_frame_, laser_frame, ros::Time(0));
+    return known_[laser_frame] = turns_upside_down(mount.transform);
   } catch (const tf2::TransformException&) {
     return std::nullopt;
   }

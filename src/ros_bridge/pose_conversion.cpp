@@ -17,6 +17,31 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   return message;
 }
 
+geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
+  constexpr Eigen::Index kSixth[] = {0, 1, 5};  // x, y and the rotation about z of six
+  geometry_msgs::PoseWithCovariance message;
+  message.pose = to_message(estimate.pose);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      const auto cell = static_cast<std::size_t>(6 * kSixth[i] + kSixth[j]);
+      message.covariance[cell] = estimate.covariance(i, j);
+    }
+  }
+  return message;
+}
+
+Pose2 in_plane(const geometry_msgs::Transform& transform) {
+  const auto& q = transform.rotation;
+  const double heading =
+      std::atan2(2.0 * (q.x * q.y + q.w * q.z), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  return {transform.translation.x, transform.translation.y, heading};
+}
+
+bool turns_upside_down(const geometry_msgs::Transform& transform) {
+  const auto& q = transform.rotation;
+  return 1.0 - 2.0 * (q.x * q.x + q.y * q.y) < 0.0;
+}
+
 tf2_msgs::TFMessage to_transform(const Pose2& parent_T_child, Time stamp, const std::string& parent,
                                  const std::string& child) {
   const geometry_msgs::Pose pose = to_message(parent_T_child);

@@ -4,29 +4,19 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <falko_slam/FeatureArray.h>
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 
 #include "falko_slam/simulation/simulated_laser.hpp"
+#include "spin_until.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {
 namespace test {
-
-/// Spins until the condition holds; false after ten seconds.
-inline bool spin_until(const std::function<bool()>& condition) {
-  const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(10.0);
-  while (!condition() && ros::SteadyTime::now() < deadline && ros::ok()) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-  }
-  return condition();
-}
 
 /// What a closed laser sees of the office, in the way of the SICK NAV350's driver.
 inline sensor_msgs::LaserScan office_scan(std::size_t beams) {

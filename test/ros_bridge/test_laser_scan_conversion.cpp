@@ -69,5 +69,30 @@ TEST(LaserScanConversion, TakesAScanWithoutBeams) {
   EXPECT_TRUE(to_message(raw, "laser").ranges.empty());
 }
 
+TEST(LaserScanConversion, WritesWhatIsNotValidByRep117) {
+  sensor_msgs::LaserScan there = message();
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  there.range_max = 30.0F;
+  there.ranges = {1.5F, 0.0F, kInfinity, 31.0F, 0.01F, std::nanf("")};
+  LaserScan scan;
+  normalize(as_raw_scan(there), {}, scan);
+
+  const sensor_msgs::LaserScan back = to_message(scan, Time(std::chrono::seconds(7)));
+
+  EXPECT_EQ(back.header.stamp, ros::Time(7));
+  ASSERT_EQ(back.ranges.size(), 6U);
+  EXPECT_EQ(back.ranges[0], 1.5F);
+  EXPECT_EQ(back.ranges[1], 0.0F);
+  EXPECT_EQ(back.ranges[2], kInfinity);
+  EXPECT_EQ(back.ranges[3], kInfinity);
+  EXPECT_EQ(back.ranges[4], -kInfinity);
+  EXPECT_TRUE(std::isnan(back.ranges[5]));
+  EXPECT_FLOAT_EQ(back.angle_max, back.angle_min + 5.0F * back.angle_increment);
+}
+
+TEST(LaserScanConversion, OfAScanWithoutBeamsHasNoRanges) {
+  EXPECT_TRUE(to_message(LaserScan(), Time()).ranges.empty());
+}
+
 }  // namespace
 }  // namespace falko_slam

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
 
 #include "falko_slam/geometry/angles.hpp"
 
@@ -43,6 +44,45 @@ TEST(PoseConversion, ATransformIsThePoseOfTheChildInTheParent) {
   EXPECT_EQ(transform.transform.translation.y, -2.0);
   EXPECT_EQ(transform.transform.translation.z, 0.0);
   EXPECT_EQ(transform.transform.rotation, to_message(pose).orientation);
+}
+
+TEST(PoseConversion, PutsTheCovarianceOfThePlaneIntoThatOfSpace) {
+  PoseEstimate estimate;
+  estimate.pose = {1.0, 2.0, 0.3};
+  estimate.covariance << 1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 3.0;
+  const geometry_msgs::PoseWithCovariance message = to_message(estimate);
+  EXPECT_EQ(message.pose, to_message(estimate.pose));
+  const std::map<std::size_t, double> expected = {
+      {0, 1.0}, {1, 0.1}, {5, 0.2}, {6, 0.1}, {7, 2.0}, {11, 0.3}, {30, 0.2}, {31, 0.3}, {35, 3.0}};
+  for (std::size_t i = 0; i < 36; ++i) {
+    EXPECT_EQ(message.covariance[i], expected.count(i) > 0 ? expected.at(i) : 0.0) << i;
+  }
+}
+
+geometry_msgs::Transform transform_of(const Eigen::Quaterniond& q) {
+  geometry_msgs::Transform transform;
+  transform.translation.x = 4.0;
+  transform.translation.y = 5.0;
+  transform.translation.z = 6.0;
+  transform.rotation.w = q.w();
+  transform.rotation.x = q.x();
+  transform.rotation.y = q.y();
+  transform.rotation.z = q.z();
+  return transform;
+}
+
+TEST(PoseConversion, FindsThePoseInThePlaneUprightOrUpsideDown) {
+  const Eigen::Quaterniond down(Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()));
+  for (const double angle : kAngles) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+    for (const bool upside_down : {false, true}) {
+      const auto transform = transform_of(upside_down ? turn * down : turn);
+      EXPECT_EQ(turns_upside_down(transform), upside_down);
+      const Pose2 pose = in_plane(transform);
+      EXPECT_EQ(pose.translation(), Eigen::Vector2d(4.0, 5.0));
+      EXPECT_NEAR(wrap_angle(pose.theta() - angle), 0.0, 1e-9) << angle;
+    }
+  }
 }
 
 }  // namespace

@@ -16,4 +16,8 @@ RawScan as_raw_scan(const sensor_msgs::LaserScan& message);
 /// Copies the arrays.
 sensor_msgs::LaserScan to_message(const RawScan& raw, const std::string& frame);
 
+/// Without intensities and frame. What is not valid is written by REP-117: +Inf no return or too
+/// far, -Inf too near, NaN erroneous; 0 where zero was ambiguous.
+sensor_msgs::LaserScan to_message(const LaserScan& scan, Time stamp);
+
 }  // namespace falko_slam

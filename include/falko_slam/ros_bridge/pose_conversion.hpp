@@ -3,17 +3,27 @@
 #pragma once
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <string>
 
 #include "falko_slam/common/time.hpp"
-#include "falko_slam/geometry/pose2.hpp"
+#include "falko_slam/geometry/pose_estimate.hpp"
 
 namespace falko_slam {
 
 geometry_msgs::Pose to_message(const Pose2& pose);
+
+/// The covariances of z, roll and pitch are 0.
+geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate);
+
+/// What a transform does in the plane: where it puts the origin, and where the x axis points then.
+Pose2 in_plane(const geometry_msgs::Transform& transform);
+
+/// The z axis points down after it.
+bool turns_upside_down(const geometry_msgs::Transform& transform);
 
 /// One transform, parent_T_child.
 tf2_msgs::TFMessage to_transform(const Pose2& parent_T_child, Time stamp, const std::string& parent,

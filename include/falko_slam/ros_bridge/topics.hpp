@@ -15,5 +15,14 @@ constexpr char kFeatures[] = "features";               ///< falko_slam/FeatureAr
 constexpr char kFeatureMarkers[] = "feature_markers";  ///< visualization_msgs/MarkerArray
 constexpr char kKeypointCloud[] = "keypoint_cloud";    ///< sensor_msgs/PointCloud2
 
+constexpr char kKeyframes[] = "keyframes";       ///< falko_slam/KeyframeArray, latched
+constexpr char kConstraints[] = "constraints";   ///< falko_slam/LoopConstraintArray
+constexpr char kLoopMarkers[] = "loop_markers";  ///< visualization_msgs/MarkerArray, latched
+
+// Services, in the node's private namespace.
+constexpr char kGlobalLocalization[] = "global_localization";  ///< falko_slam/GlobalLocalization
+constexpr char kSaveKeyframes[] = "save_keyframes";            ///< falko_slam/SaveKeyframes
+constexpr char kLoadKeyframes[] = "load_keyframes";            ///< falko_slam/LoadKeyframes
+
 }  // namespace topics
 }  // namespace falko_slam

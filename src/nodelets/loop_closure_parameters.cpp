@@ -1,0 +1,60 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_closure_parameters.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "falko_slam/place_recognition/loop_closure_fields.hpp"
+#include "falko_slam/ros_bridge/parameter_reader.hpp"
+
+namespace falko_slam {
+namespace {
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+std::string expanded(const std::string& path) {
+  return path.compare(0, 2, "~/") == 0 ? environment("HOME") + path.substr(1) : path;
+}
+
+std::string default_folder() {
+  const std::string home = environment("ROS_HOME");
+  return (home.empty() ? environment("HOME") + "/.ros" : home) + "/falko_slam";
+}
+
+// tf2 knows no leading slash.
+std::string frame(const std::string& name) {
+  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
+}
+
+}  // namespace
+
+LoopClosureNodeParams read_loop_closure_parameters(const ros::NodeHandle& node,
+                                                   std::vector<std::string>& unknown) {
+  LoopClosureNodeParams params;
+  ParameterReader reader(parameter_tree(node), node.getNamespace());
+  reader.field("odom_frame", params.odom_frame);
+  reader.field("base_frame", params.base_frame);
+  reader.field("folder", params.folder);
+  reader.field("database", params.database);
+  visit_loop_closure_fields(params.closure, reader);
+  validate(params.closure);
+  unknown = reader.unknown({"num_worker_threads", "diagnostic_period"});
+
+  params.odom_frame = frame(params.odom_frame);
+  params.base_frame = frame(params.base_frame);
+  if (params.odom_frame.empty()) {
+    throw std::invalid_argument(node.getNamespace() + "/odom_frame is empty");
+  }
+  params.folder = params.folder.empty() ? default_folder() : expanded(params.folder);
+  params.database = expanded(params.database);
+  if (!params.database.empty() && params.database.front() != '/') {
+    params.database = params.folder + "/" + params.database;
+  }
+  return params;
+}
+
+}  // namespace falko_slam
