@@ -24,6 +24,7 @@ void validate(const LoopDetectorParams& params) {
   require_in_range("contradicting_distance", params.contradicting_distance, 0.0, 100.0);
   require_in_range("contradicting_turn", params.contradicting_turn, 0.0, kPi);
   require_in_range("drift", params.drift, 0.0, 1.0);
+  require_in_range("turn_drift", params.turn_drift, 0.0, 1.0);
 }
 
 const char* name_of(LoopVerdict verdict) {

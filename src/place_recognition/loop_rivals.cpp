@@ -40,8 +40,10 @@ bool LoopDetector::Memory::contradict(const LoopCandidate& a, const LoopCandidat
   const Pose2 difference = (target_a.odom_T_laser * a.target_T_source->pose).inverse() *
                            (target_b.odom_T_laser * b.target_T_source->pose);
   const double way = std::abs(target_a.path - target_b.path);
-  return difference.translation().norm() > params.contradicting_distance + params.drift * way ||
-         std::abs(difference.theta()) > params.contradicting_turn;
+  const double turn = params.turn_drift * way;  // a steady one puts the end turn * way / 2 aside
+  return difference.translation().norm() >
+             params.contradicting_distance + (params.drift + 0.5 * turn) * way ||
+         std::abs(difference.theta()) > params.contradicting_turn + turn;
 }
 
 bool LoopDetector::Memory::rivals(const Keyframe& source, LoopCandidate other,

@@ -40,6 +40,7 @@ void visit_loop_fields(Params& params, Visitor& visitor) {
   visitor.field("contradicting_distance", params.contradicting_distance);
   visitor.field("contradicting_turn", params.contradicting_turn);
   visitor.field("drift", params.drift);
+  visitor.field("turn_drift", params.turn_drift);
 }
 
 template <class Params, class Visitor>

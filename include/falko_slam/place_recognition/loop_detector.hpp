@@ -44,11 +44,13 @@ struct LoopDetectorParams {
   /// The best loop is refused if a contradicting one has at least this share of its score: another
   /// pose to the same keyframe, or to another one that puts the source elsewhere. [0, 1]
   double ambiguity = 0.4;
-  /// Places contradict each other if they differ by more than this [m] and drift times the way
-  /// between their keyframes, or by more than contradicting_turn [rad].
+  /// Places contradict each other if they differ by more than this, and by more than the odometry
+  /// may have drifted on the way between their keyframes: by a share of it, and by a turn per
+  /// metre, which moves things by half of the turn times the way. [m], [rad], [], [rad/m]
   double contradicting_distance = 0.5;
   double contradicting_turn = 0.35;
   double drift = 0.05;
+  double turn_drift = 0.01;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const LoopDetectorParams& params);
