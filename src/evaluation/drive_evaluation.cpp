@@ -13,28 +13,17 @@ struct Drive {
 };
 
 Drive drive_through(const std::vector<DrivenScan>& scans, DrivePoses poses,
-                    const LoopClosureParams& params) {
+                    LoopClosureParams params) {
+  if (poses == DrivePoses::kOdometry) params.detector.odometry.max_move = 0.0;
   LoopDetector detector(params.detector);
-  KeyframeMemory memory(params);
   KeyframeSelector selector(params.selector);
-  const bool registered = poses == DrivePoses::kRegistered;
   Drive drive;
   for (const DrivenScan& scan : scans) {
     const Pose2& pose = poses == DrivePoses::kCorrected ? scan.map_T_laser : scan.odom_T_laser;
     const KeyframeSelector::Choice choice = selector.choose(pose);
     if (choice == KeyframeSelector::Choice::kPassOver) continue;
-    if (choice == KeyframeSelector::Choice::kFirstOfNew) {
-      detector.begin_drive();
-      memory.begin_drive();
-    }
-    if (registered) {
-      KeyframeRecord record;
-      record.odom_T_laser = pose;
-      record.scan = scan.scan;
-      drive.detections.push_back(memory.detect(memory.add(std::move(record))));
-    } else {
-      drive.detections.push_back(detector.detect(detector.add(scan.scan, pose)));
-    }
+    if (choice == KeyframeSelector::Choice::kFirstOfNew) detector.begin_drive();
+    drive.detections.push_back(detector.detect(detector.add(scan.scan, pose)));
     drive.truth.push_back({{}, scan.map_T_laser});
   }
   return drive;

@@ -5,28 +5,15 @@
 #include <utility>
 
 namespace falko_slam {
-namespace {
-
-ScanOdometryParams odometry_params(const LoopClosureParams& params) {
-  ScanOdometryParams odometry = params.odometry;
-  odometry.view = params.detector.keyframe.view;
-  odometry.registration = params.detector.registration;
-  odometry.agreement = params.detector.agreement;
-  return odometry;
-}
-
-}  // namespace
-
 void validate(const LoopClosureParams& params) {
   validate(params.scan);
   validate(params.selector);
-  validate(odometry_params(params));
   validate(params.detector);
 }
 
 KeyframeMemory::KeyframeMemory(const LoopClosureParams& params,
                                const std::vector<KeyframeRecord>& records)
-    : detector_((validate(params), params.detector)), odometry_(odometry_params(params)) {
+    : detector_((validate(params), params.detector)) {
   for (const KeyframeRecord& record : records) {
     if (!records_.empty() && record.drive != records_.back().drive) begin_drive();
     add(record);
@@ -35,7 +22,7 @@ KeyframeMemory::KeyframeMemory(const LoopClosureParams& params,
 }
 
 KeyframeId KeyframeMemory::add(KeyframeRecord record) {
-  const KeyframeId id = detector_.add(record.scan, odometry_.add(record.scan, record.odom_T_laser));
+  const KeyframeId id = detector_.add(record.scan, record.odom_T_laser);
   record.drive = drive_;
   record.scan.intensities.clear();
   records_.push_back(std::move(record));
@@ -44,7 +31,6 @@ KeyframeId KeyframeMemory::add(KeyframeRecord record) {
 
 void KeyframeMemory::begin_drive() {
   detector_.begin_drive();
-  odometry_.reset();
   drive_ = records_.empty() ? 0 : records_.back().drive + 1;
 }
 

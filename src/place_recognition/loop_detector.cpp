@@ -29,6 +29,8 @@ KeyframeId LoopDetector::add(const LaserScan& scan, const Pose2& odom_T_laser) {
   Keyframe keyframe = memory_->builder.build(scan);
   keyframe.id = {memory_->keyframes.size()};
   keyframe.odom_T_laser = odom_T_laser;
+  if (memory_->new_drive) memory_->odometry.reset();
+  keyframe.mended_T_laser = memory_->odometry.add(keyframe.view, odom_T_laser);
   if (!memory_->keyframes.empty()) {
     const Keyframe& last = memory_->keyframes.back();
     keyframe.drive = last.drive + (memory_->new_drive ? 1U : 0U);

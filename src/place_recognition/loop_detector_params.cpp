@@ -11,6 +11,7 @@ void validate(const LoopDetectorParams& params) {
   validate(params.matcher);
   validate(params.agreement);
   validate(params.registration);
+  validate(params.odometry);
   require_in_range("candidates", params.candidates, 1, 1000);
   require_in_range("verified", params.verified, 1, 1000);
   require_in_range("compared", params.compared, 1, 100);

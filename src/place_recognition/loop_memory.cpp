@@ -37,7 +37,8 @@ LoopDetector::Memory::Memory(const LoopDetectorParams& p)
       builder(p.keyframe),
       matcher(one_match_each(p.matcher)),
       rival_matcher(p.matcher),
-      index(p.keyframe.glare.direction_cells, 2 * p.keyframe.glare.distance_cells) {}
+      index(p.keyframe.glare.direction_cells, 2 * p.keyframe.glare.distance_cells),
+      odometry(p.odometry, p.registration, p.agreement) {}
 
 void sort_by_score(std::vector<LoopCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(), better);
@@ -113,7 +114,7 @@ Neighborhood LoopDetector::Memory::neighborhood(KeyframeId center, std::size_t e
       if (here.drive != middle.drive) break;
       if (std::abs(here.path - middle.path) > params.neighborhood + kRounding) break;
       if (std::abs(here.path - last) < params.neighbor_spacing - kRounding) continue;
-      result.members.push_back({&here, middle.odom_T_laser.inverse() * here.odom_T_laser});
+      result.members.push_back({&here, middle.mended_T_laser.inverse() * here.mended_T_laser});
       last = here.path;
       --left;
     }

@@ -21,7 +21,8 @@ struct LoopDetector::Memory {
   SignatureIndex index;
   std::vector<Keyframe> keyframes;
   std::vector<TwoPointTarget> targets;  // their points
-  bool new_drive = false;               // the next keyframe begins one
+  ScanOdometry odometry;
+  bool new_drive = false;  // the next keyframe begins one
 
   const Keyframe& at(KeyframeId id) const { return keyframes.at(id.value); }
 

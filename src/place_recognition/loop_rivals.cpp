@@ -37,8 +37,8 @@ bool LoopDetector::Memory::contradict(const LoopCandidate& a, const LoopCandidat
   const Keyframe& target_a = at(a.target);
   const Keyframe& target_b = at(b.target);
   if (target_a.drive != target_b.drive) return false;
-  const Pose2 difference = (target_a.odom_T_laser * a.target_T_source->pose).inverse() *
-                           (target_b.odom_T_laser * b.target_T_source->pose);
+  const Pose2 difference = (target_a.mended_T_laser * a.target_T_source->pose).inverse() *
+                           (target_b.mended_T_laser * b.target_T_source->pose);
   const double way = std::abs(target_a.path - target_b.path);
   const double turn = params.turn_drift * way;  // a steady one puts the end turn * way / 2 aside
   return difference.translation().norm() >

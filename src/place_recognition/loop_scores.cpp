@@ -49,11 +49,13 @@ Agreement best_agreement(const Neighborhood& others, const Keyframe& keyframe,
 double scan_score(const Agreement& forward, const Agreement& backward, double constraint) {
   constexpr double kEnoughView = 0.5;
   constexpr double kEnoughConstraint = 0.1;
+  constexpr double kEnoughWall = 5.0;  // [m]
   Agreement both = forward;
   both += backward;
   const double lesser = std::min(forward.ratio(), backward.ratio());
   return std::sqrt(both.ratio() * lesser) * std::sqrt(share(both.agreeing, both.points)) *
          std::min(1.0, share(both.seen(), both.points) / kEnoughView) *
+         std::min(1.0, 0.5 * both.agreeing_length / kEnoughWall) *
          std::sqrt(std::clamp(constraint / kEnoughConstraint, 0.0, 1.0));
 }
 

@@ -138,7 +138,7 @@ TEST(LoopClosureParams, AreAllLookedAt) {
   params.selector.min_step = -1.0;
   refused(params);
   params = {};
-  params.odometry.max_move = -1.0;
+  params.detector.odometry.max_move = -1.0;
   refused(params);
   params = {};
   params.detector.keyframe.view.max_range = -1.0;

@@ -19,7 +19,8 @@ namespace falko_slam {
 struct Keyframe {
   KeyframeId id;
   std::size_t drive = 0;           ///< poses and paths compare within one drive only
-  Pose2 odom_T_laser;              ///< right relative to those of the last metres only
+  Pose2 odom_T_laser;              ///< as it came
+  Pose2 mended_T_laser;            ///< the same, mended by ScanOdometry: what neighbours lie by
   double path = 0.0;               ///< length of the way there since the drive's first keyframe [m]
   std::vector<MatchPoint> points;  ///< corners and wall ends, laser frame
   Signature signature;             ///< GLARE of the points beside GLARE of the walls

@@ -8,7 +8,6 @@
 #include "falko_slam/place_recognition/keyframe_file.hpp"
 #include "falko_slam/place_recognition/keyframe_selector.hpp"
 #include "falko_slam/place_recognition/loop_detector.hpp"
-#include "falko_slam/place_recognition/scan_odometry.hpp"
 #include "falko_slam/sensor/scan_normalizer.hpp"
 
 namespace falko_slam {
@@ -17,7 +16,6 @@ namespace falko_slam {
 struct LoopClosureParams {
   ScanNormalizerParams scan;
   KeyframeSelectorParams selector;
-  ScanOdometryParams odometry;  ///< its view, registration and agreement are the detector's
   LoopDetectorParams detector;
 };
 /// Throws std::invalid_argument with the field and its value.
@@ -25,7 +23,6 @@ void validate(const LoopClosureParams& params);
 
 /// The keyframes of all drives: to find loops and places among them, to save and to load.
 ///
-/// Records keep the odometry as it came; what the detector knows of it is mended by ScanOdometry.
 /// Ids are positions in records(). Not thread-safe.
 class KeyframeMemory {
  public:
@@ -54,7 +51,6 @@ class KeyframeMemory {
 
  private:
   LoopDetector detector_;
-  ScanOdometry odometry_;
   std::vector<KeyframeRecord> records_;
   std::size_t drive_ = 0;
 };

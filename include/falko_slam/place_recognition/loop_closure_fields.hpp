@@ -113,7 +113,7 @@ void visit_loop_closure_fields(Params& params, Visitor& visitor) {
   group(
       "loops", [&](auto& p) { visit_loop_fields(p, visitor); }, params.detector);
   group(
-      "odometry", [&](auto& p) { visit_odometry_fields(p, visitor); }, params.odometry);
+      "odometry", [&](auto& p) { visit_odometry_fields(p, visitor); }, params.detector.odometry);
   group(
       "falko", [&](auto& p) { visit_falko_fields(p, visitor); }, keyframe.falko);
   group(

@@ -13,6 +13,7 @@
 #include "falko_slam/matching/two_point_matcher.hpp"
 #include "falko_slam/place_recognition/keyframe.hpp"
 #include "falko_slam/place_recognition/loop_scores.hpp"
+#include "falko_slam/place_recognition/scan_odometry.hpp"
 #include "falko_slam/place_recognition/scan_registration.hpp"
 
 namespace falko_slam {
@@ -22,6 +23,7 @@ struct LoopDetectorParams {
   TwoPointMatcherParams matcher;
   AgreementParams agreement;
   RegistrationParams registration;
+  ScanOdometryParams odometry;
   /// Keyframes with the nearest signatures that are matched. Greater values find more and cost
   /// more. [1, 1000]
   int candidates = 40;
@@ -94,9 +96,9 @@ struct LoopDetection {
 /// or with the reason why not; at most one is accepted.
 ///
 /// Keyframes are numbered in the order in which they are added. Their poses need to be right over
-/// the neighbourhood only. A drive is what one odometry connects: poses and lengths of way are
-/// never compared between drives, and keyframes of different drives may be loops however short the
-/// way. Not thread-safe.
+/// the neighbourhood only, and each step is mended by registration with the keyframe before. A
+/// drive is what one odometry connects: poses and lengths of way are never compared between drives,
+/// and keyframes of different drives may be loops however short the way. Not thread-safe.
 class LoopDetector {
  public:
   explicit LoopDetector(const LoopDetectorParams& params = {});

@@ -12,8 +12,9 @@ namespace falko_slam {
 /// How well two scans fit when one is laid on the other, in [0, 1]: the geometric mean of
 ///   - the share of the walls in view of both that agree, and the lesser of its two directions,
 ///   - the share of all points that agree,
-/// lowered where less than half of the points are in view of the other scan, and where the walls
-/// leave a direction open (a corridor): `constraint` below 0.1, see Registration.
+/// lowered where less than half of the points are in view of the other scan, where less than 5 m of
+/// wall agree (a bare corner is everywhere), and where the walls leave a direction open (a
+/// corridor): `constraint` below 0.1, see Registration.
 double scan_score(const Agreement& source_in_target, const Agreement& target_in_source,
                   double constraint);
 

@@ -10,12 +10,10 @@
 namespace falko_slam {
 
 struct ScanOdometryParams {
-  ScanViewParams view;
-  RegistrationParams registration;
-  AgreementParams agreement;
   /// A registration is taken if it moves the odometry's step by no more than this [m], [rad], if
   /// this share of the walls in view agrees, and if the walls leave no direction open (see
-  /// Registration::constraint). [0, 100], [0, pi], [0, 1], [0, 1]
+  /// Registration::constraint). With a move of 0 steps are taken as they are.
+  /// [0, 100], [0, pi], [0, 1], [0, 1]
   double max_move = 0.5;
   double max_turn = 0.35;
   double min_agreement = 0.5;
@@ -31,14 +29,14 @@ void validate(const ScanOdometryParams& params);
 /// registration does not help the step is the odometry's. Not thread-safe.
 class ScanOdometry {
  public:
-  explicit ScanOdometry(const ScanOdometryParams& params = {});
+  explicit ScanOdometry(const ScanOdometryParams& params = {},
+                        const RegistrationParams& registration = {},
+                        const AgreementParams& agreement = {});
 
   /// The mended pose of the scan, for each keyframe in turn.
-  Pose2 add(const LaserScan& scan, const Pose2& odom_T_laser);
+  Pose2 add(const ScanView& view, const Pose2& odom_T_laser);
   /// What comes next has nothing to do with what was before.
   void reset() { last_.reset(); }
-
-  const ScanOdometryParams& params() const { return params_; }
 
  private:
   struct Last {
@@ -47,7 +45,11 @@ class ScanOdometry {
     Pose2 mended;
   };
 
+  Pose2 mended_step(const ScanView& view, const Pose2& step) const;
+
   ScanOdometryParams params_;
+  RegistrationParams registration_;
+  AgreementParams agreement_;
   std::optional<Last> last_;
 };
 
