@@ -48,9 +48,9 @@ class WallEndSearch {
   }
 
   bool on_one_wall(std::size_t a, std::size_t b) const {
-    const double across = std::min(scan_.ranges[a], scan_.ranges[b]) * scan_.angle_increment;
-    const double step = (scan_.point(a) - scan_.point(b)).norm();
-    return step < std::max(params_.max_step, params_.step_ratio * across);
+    return on_one_surface((scan_.point(a) - scan_.point(b)).norm(),
+                          std::min(scan_.ranges[a], scan_.ranges[b]), scan_.angle_increment,
+                          params_.surface);
   }
 
   const LaserScan& scan_;
@@ -63,8 +63,7 @@ class WallEndSearch {
 void validate(const WallEndParams& params) {
   require_in_range("min_jump", params.min_jump, 0.05, 100.0);
   require_in_range("wall_steps", params.wall_steps, 1, 100);
-  require_in_range("max_step", params.max_step, 0.0, 100.0);
-  require_in_range("step_ratio", params.step_ratio, 0.0, 1000.0);
+  validate(params.surface);
 }
 
 std::vector<Keypoint> find_wall_ends(const LaserScan& scan, const WallEndParams& params) {

@@ -20,8 +20,7 @@ void validate(const ScanViewParams& params) {
   require_in_range("point_spacing", params.point_spacing, 0.0, 10.0);
   require_in_range("max_range", params.max_range, 0.1, 1e5);
   require_in_range("normal_reach", params.normal_reach, 0.0, 10.0);
-  require_in_range("max_step", params.max_step, 0.0, 100.0);
-  require_in_range("step_ratio", params.step_ratio, 0.0, 1000.0);
+  validate(params.surface);
 }
 
 ScanView::ScanView(const LaserScan& scan, const ScanViewParams& params)
@@ -53,9 +52,10 @@ std::size_t ScanView::beside(std::size_t beam, int direction, const ScanViewPara
   if (beam == end && !closed_) return beam;
   const std::size_t other = beam == end ? last - end : direction > 0 ? beam + 1 : beam - 1;
   if (all_[other].length <= 0.0) return beam;
-  const double across = std::min(ranges_[beam], ranges_[other]) * angle_increment_;
-  const double step = (all_[beam].position - all_[other].position).norm();
-  return step < std::max(params.max_step, params.step_ratio * across) ? other : beam;
+  const bool joined =
+      on_one_surface((all_[beam].position - all_[other].position).norm(),
+                     std::min(ranges_[beam], ranges_[other]), angle_increment_, params.surface);
+  return joined ? other : beam;
 }
 
 // Normal and length of the wall about a beam, from the beams beside it on the same surface. The

@@ -142,8 +142,8 @@ TEST(WallEndParams, NamesFieldAndValueOfWhatIsWrong) {
   const double nan = std::nan("");
   EXPECT_EQ(error_of([](auto& p) { p.min_jump = 0.01; }).find("min_jump = 0.01: "), 0U);
   EXPECT_EQ(error_of([](auto& p) { p.wall_steps = 0; }).find("wall_steps = 0: "), 0U);
-  EXPECT_EQ(error_of([&](auto& p) { p.max_step = nan; }).find("max_step = nan: "), 0U);
-  EXPECT_EQ(error_of([](auto& p) { p.step_ratio = -1.0; }).find("step_ratio = -1: "), 0U);
+  EXPECT_EQ(error_of([&](auto& p) { p.surface.max_step = nan; }).find("max_step = nan: "), 0U);
+  EXPECT_EQ(error_of([](auto& p) { p.surface.step_ratio = -1.0; }).find("step_ratio = -1: "), 0U);
 }
 
 }  // namespace

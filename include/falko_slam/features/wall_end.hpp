@@ -6,6 +6,7 @@
 
 #include "falko_slam/features/keypoint.hpp"
 #include "falko_slam/sensor/laser_scan.hpp"
+#include "falko_slam/sensor/surface_step.hpp"
 
 namespace falko_slam {
 
@@ -14,10 +15,7 @@ struct WallEndParams {
   double min_jump = 0.50;
   /// So many steps from beam to beam behind the end lie on the wall. [1, 100]
   int wall_steps = 3;
-  /// A step lies on the wall if it is shorter than max_step, or than step_ratio times the distance
-  /// of the beams at perpendicular incidence. [m]
-  double max_step = 0.15;
-  double step_ratio = 6.0;
+  SurfaceStepParams surface;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const WallEndParams& params);

@@ -44,11 +44,16 @@ void visit_loop_fields(Params& params, Visitor& visitor) {
 }
 
 template <class Params, class Visitor>
+void visit_surface_fields(Params& params, Visitor& visitor) {
+  visitor.field("max_step", params.max_step);
+  visitor.field("step_ratio", params.step_ratio);
+}
+
+template <class Params, class Visitor>
 void visit_wall_end_fields(Params& params, Visitor& visitor) {
   visitor.field("min_jump", params.min_jump);
   visitor.field("wall_steps", params.wall_steps);
-  visitor.field("max_step", params.max_step);
-  visitor.field("step_ratio", params.step_ratio);
+  visit_surface_fields(params.surface, visitor);
 }
 
 /// Of KeyframeParams: its walls and GLARE.
@@ -67,8 +72,7 @@ void visit_view_fields(Params& params, Visitor& visitor) {
   visitor.field("point_spacing", params.point_spacing);
   visitor.field("max_range", params.max_range);
   visitor.field("normal_reach", params.normal_reach);
-  visitor.field("max_step", params.max_step);
-  visitor.field("step_ratio", params.step_ratio);
+  visit_surface_fields(params.surface, visitor);
 }
 
 template <class Params, class Visitor>

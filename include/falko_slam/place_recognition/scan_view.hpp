@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "falko_slam/sensor/laser_scan.hpp"
+#include "falko_slam/sensor/surface_step.hpp"
 
 namespace falko_slam {
 
@@ -27,10 +28,7 @@ struct ScanViewParams {
   double max_range = 30.0;
   /// Normals are taken over this length of wall to either side. [m]
   double normal_reach = 0.10;
-  /// A point is joined to its neighbour if the step is shorter than this, or than step_ratio times
-  /// their distance at perpendicular incidence. [m]
-  double max_step = 0.15;
-  double step_ratio = 6.0;
+  SurfaceStepParams surface;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const ScanViewParams& params);
