@@ -30,6 +30,7 @@ LoopClosureNodelet::~LoopClosureNodelet() {
   for (ros::ServiceServer* service : {&locate_, &save_, &load_}) service->shutdown();
   timer_.stop();
   scans_.unsubscribe();
+  listener_.reset();  // its thread calls the filter
   filter_.reset();
 }
 
@@ -112,8 +113,7 @@ void LoopClosureNodelet::start_listening() {
 void LoopClosureNodelet::on_timer() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    // What waits for transforms of the time before would wait until that time comes again.
-    if (time_jumped_back() && filter_) filter_->clear();
+    watch_time();
     forget_the_future();
     const std::uint32_t subscribers = markers_.getNumSubscribers();
     if (subscribers > 0 && (markers_changed_ || subscribers != marker_subscribers_)) {
@@ -125,14 +125,16 @@ void LoopClosureNodelet::on_timer() {
   updater_->force_update();
 }
 
-bool LoopClosureNodelet::time_jumped_back() {
+void LoopClosureNodelet::watch_time() {
   const ros::Time now = ros::Time::now();
-  const double back = (last_time_ - now).toSec();
+  const double back = last_time_.toSec() - now.toSec();
   last_time_ = now;
-  if (back <= kClockTolerance) return false;
+  if (back <= kClockTolerance) return;
   jumped_ = steady_now();
   begin_drive("time has jumped back by " + std::to_string(back) + " s");
-  return true;
+  selector_.reset();
+  // What waits for transforms of the time before would wait until that time comes again.
+  if (filter_) filter_->clear();
 }
 
 void LoopClosureNodelet::forget_the_future() {
@@ -145,7 +147,6 @@ void LoopClosureNodelet::begin_drive(const std::string& reason) {
   NODELET_WARN_STREAM(
       reason << ": a new drive begins, its odometry is not connected to that before");
   memory_->begin_drive();
-  selector_.reset();
 }
 
 ScanReport LoopClosureNodelet::normalized(const sensor_msgs::LaserScan& message,
@@ -173,7 +174,7 @@ void LoopClosureNodelet::on_received(const sensor_msgs::LaserScanConstPtr& messa
 
 void LoopClosureNodelet::on_dropped(const sensor_msgs::LaserScanConstPtr& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::string& laser = message->header.frame_id;
+  const std::string laser = tf_frame(message->header.frame_id);
   std::string missing = laser.empty() ? "it names no frame" : "";
   for (const std::string& frame : poses_->frames()) {
     std::string reason;
@@ -192,7 +193,7 @@ void LoopClosureNodelet::on_dropped(const sensor_msgs::LaserScanConstPtr& messag
 
 void LoopClosureNodelet::on_scan(const sensor_msgs::LaserScanConstPtr& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  time_jumped_back();
+  watch_time();
   KeyframeRecord record;
   LaserPlace place;
   try {

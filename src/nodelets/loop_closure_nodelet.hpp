@@ -56,8 +56,8 @@ class LoopClosureNodelet : public nodelet::Nodelet {
   bool on_save(SaveKeyframes::Request& request, SaveKeyframes::Response& response);
   bool on_load(LoadKeyframes::Request& request, LoadKeyframes::Response& response);
 
-  /// True if time has jumped back since the last call; a new drive has begun then.
-  bool time_jumped_back();
+  /// Begins a drive if time has jumped back since the last call.
+  void watch_time();
   /// For some seconds after a jump of time: tf that was on its way comes after the buffer has been
   /// cleared, and makes it refuse all that follows as too old.
   void forget_the_future();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "falko_slam/place_recognition/loop_closure_fields.hpp"
+#include "falko_slam/ros_bridge/laser_pose.hpp"
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 
 namespace falko_slam {
@@ -25,11 +26,6 @@ std::string default_folder() {
   return (home.empty() ? environment("HOME") + "/.ros" : home) + "/falko_slam";
 }
 
-// tf2 knows no leading slash.
-std::string frame(const std::string& name) {
-  return !name.empty() && name.front() == '/' ? name.substr(1) : name;
-}
-
 }  // namespace
 
 LoopClosureNodeParams read_loop_closure_parameters(const ros::NodeHandle& node,
@@ -44,8 +40,8 @@ LoopClosureNodeParams read_loop_closure_parameters(const ros::NodeHandle& node,
   validate(params.closure);
   unknown = reader.unknown({"num_worker_threads", "diagnostic_period"});
 
-  params.odom_frame = frame(params.odom_frame);
-  params.base_frame = frame(params.base_frame);
+  params.odom_frame = tf_frame(params.odom_frame);
+  params.base_frame = tf_frame(params.base_frame);
   if (params.odom_frame.empty()) {
     throw std::invalid_argument(node.getNamespace() + "/odom_frame is empty");
   }

@@ -20,7 +20,8 @@ constexpr std::size_t kHead = 8 + sizeof(std::uint32_t);
 constexpr std::size_t kTail = sizeof(std::uint32_t);
 // Of a record without beams. A count is compared with what is left before memory is asked for.
 constexpr std::size_t kLeastRecord = 4 * 8 + 9 * 8 + 2 + 4;
-constexpr double kFarthest = 1e6;  // [m]
+constexpr double kFarthest = 1e6;   // [m]
+constexpr double kWidest = 1000.0;  // more than what normalize() lets pass [rad]
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void require(bool condition, const std::string& wrong) {
@@ -83,8 +84,8 @@ LaserScan take_scan(ByteReader& in) {
   LaserScan scan;
   scan.first_beam_time = Time(Duration(in.i64()));
   scan.time_increment = Duration(in.i64());
-  scan.angle_min = number_in(in.f64(), 2.0 * kTwoPi, "angle_min");
-  scan.angle_increment = number_in(in.f64(), kTwoPi, "angle_increment");
+  scan.angle_min = number_in(in.f64(), kWidest, "angle_min");
+  scan.angle_increment = number_in(in.f64(), kWidest, "angle_increment");
   scan.range_max = number_in(in.f64(), kFarthest, "range_max");
   scan.closed = flag(in, "closed");
   scan.reversed = flag(in, "reversed");
@@ -174,7 +175,13 @@ void write_keyframe_file(const std::string& path, const std::vector<KeyframeReco
   if (holds_something_else(path)) {
     throw std::runtime_error(path + ": is there and no file of keyframes, not overwritten");
   }
-  write_whole_file(path, to_bytes(records));
+  const std::string bytes = to_bytes(records);
+  try {
+    keyframes_from(bytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": could not be read again, not written: " + error.what());
+  }
+  write_whole_file(path, bytes);
 }
 
 std::vector<KeyframeRecord> read_keyframe_file(const std::string& path) {

@@ -15,7 +15,8 @@ namespace {
 
 using Make = ScanRetrieval (*)(const std::vector<PosedScan>&, const ScanKeypoints&);
 
-// Every retrieval on a way along the corridor, whose last scan is taken where the first one was.
+// The retrievals by signatures on a way along the corridor, whose last scan is taken where the
+// first one was. (That by phrases is tested in test_thesis_methods.cpp.)
 class Retrievals : public ::testing::TestWithParam<Make> {
  protected:
   Retrievals() {

@@ -344,6 +344,13 @@ TEST_F(LoopClosure, BeginsADriveWhenTimeJumpsBackAndWhenTheOdometryIsReset) {
   EXPECT_EQ(client.keyframes.back().drive, 1U);
   ASSERT_TRUE(client.step({0.7, 0.0, 0.0}, {50.0, 0.0, 0.0}));
   EXPECT_EQ(client.keyframes.back().drive, 2U);
+  // From there on it takes a step again.
+  const std::size_t count = client.keyframes.size();
+  const auto near = client.scan_at({0.8, 0.0, 0.0});
+  client.send_odometry({50.1, 0.0, 0.0});
+  client.send(near);
+  ASSERT_TRUE(client.step({1.2, 0.0, 0.0}, {50.5, 0.0, 0.0}));
+  EXPECT_EQ(client.keyframes.size(), count + 1);
 }
 
 TEST_F(LoopClosure, DoesNotLoadWithBadParametersOrADatabaseThatIsNone) {

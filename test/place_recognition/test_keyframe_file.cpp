@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "falko_slam/common/bytes.hpp"
+#include "falko_slam/sensor/scan_normalizer.hpp"
 #include "support/seeds.hpp"
 #include "support/synthetic_scans.hpp"
 #include "support/temporary_folder.hpp"
@@ -200,6 +201,32 @@ TEST(KeyframeFile, OverwritesOnlyKeyframesAndOnlyByKeyframes) {
   EXPECT_EQ(read_keyframe_file(folder.file("old")).size(), 3U);
   write_keyframe_file(folder.file("old"), Records(1, some_records().front()));
   EXPECT_EQ(read_keyframe_file(folder.file("old")).size(), 1U);
+}
+
+TEST(KeyframeFile, IsNotWrittenIfItCouldNotBeReadAgain) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("a");
+  write_keyframe_file(path, some_records());
+  Records records = some_records();
+  records.pop_back();
+  records[1].odom_T_laser = {1e12, 0.0, 0.0};
+  EXPECT_EQ(error_of([&] { write_keyframe_file(path, records); }),
+            path + ": could not be read again, not written: keyframe 1: x 1000000000000.000000 " +
+                "makes no sense");
+  EXPECT_EQ(read_keyframe_file(path).size(), 3U);
+}
+
+// Nobody builds them, but one such scan must not make the others unreadable.
+TEST(KeyframeFile, HoldsWhateverScanPassesTheNormaliser) {
+  const float range = 2.0F;
+  RawScan raw;
+  raw.angle_min = raw.angle_max = -99.0;
+  raw.angle_increment = -99.0;
+  raw.ranges = &range;
+  raw.range_count = 1;
+  Records records = some_records();
+  ASSERT_TRUE(normalize(raw, {}, records[1].scan).usable());
+  expect_equal(records, keyframes_from(to_bytes(records)));
 }
 
 }  // namespace

@@ -67,6 +67,15 @@ TEST_F(LaserPosesTest, TellHowNewTheyAre) {
   EXPECT_EQ(LaserPoses(buffer_, "odom", "").newest("laser"), ros::Time(12.0));
 }
 
+TEST_F(LaserPosesTest, DoNotMindALeadingSlash) {
+  put(base_T_laser_, 0.0, "base_link", "laser");
+  put({1.0, 0.0, 0.0}, 10.0, "odom", "base_link");
+  const LaserPoses poses(buffer_, "/odom", "/base_link");
+  expect_near(poses.at("/laser", ros::Time(10.0)), Pose2(1.0, 0.0, 0.0) * base_T_laser_);
+  expect_near(poses.mount("/laser").base_T_laser, base_T_laser_);
+  EXPECT_EQ(LaserPoses(buffer_, "/odom", "").newest("/laser"), ros::Time(10.0));
+}
+
 TEST_F(LaserPosesTest, ThrowWhereTfKnowsNoWay) {
   const LaserPoses poses(buffer_, "odom", "base_link");
   EXPECT_THROW(poses.mount("laser"), tf2::TransformException);

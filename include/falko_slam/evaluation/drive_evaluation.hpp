@@ -12,7 +12,7 @@ namespace falko_slam {
 
 /// What the loop detector is told of where its keyframes are.
 enum class DrivePoses {
-  kCorrected,   ///< the truth
+  kCorrected,   ///< the truth, its steps mended by ScanOdometry too
   kOdometry,    ///< as it was recorded
   kRegistered,  ///< the odometry mended by ScanOdometry: what the nodelet does
 };

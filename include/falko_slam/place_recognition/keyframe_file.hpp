@@ -34,7 +34,8 @@ std::string to_bytes(const std::vector<KeyframeRecord>& records);
 std::vector<KeyframeRecord> keyframes_from(const std::string& bytes);
 
 /// Writes beside the file and renames. Throws std::runtime_error that names the file; also if there
-/// is nothing to save, or if the file is there and holds something else than keyframes.
+/// is nothing to save, if what would be written could not be read again, or if the file is there
+/// and holds something else than keyframes.
 void write_keyframe_file(const std::string& path, const std::vector<KeyframeRecord>& records);
 
 /// Throws std::runtime_error that names the file and what is wrong with it.

@@ -47,8 +47,8 @@ class ScanView {
     if (all_.empty() || beams_per_radian_ <= 0.0) return std::nullopt;
     double beams = (bearing - angle_min_) * beams_per_radian_ + 0.5;
     beams -= beams_per_turn_ * std::floor(beams * turns_per_beam_);
-    const auto nearest = static_cast<std::size_t>(std::max(0.0, beams));
-    if (nearest < all_.size()) return nearest;
+    const double nearest = std::max(0.0, beams);
+    if (nearest < static_cast<double>(all_.size())) return static_cast<std::size_t>(nearest);
     return closed_ ? std::optional<std::size_t>(0) : std::nullopt;
   }
   std::size_t beam_count() const { return all_.size(); }

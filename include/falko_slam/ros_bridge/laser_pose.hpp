@@ -13,6 +13,9 @@
 
 namespace falko_slam {
 
+/// Without the leading slash that old drivers write and tf2 refuses.
+std::string tf_frame(const std::string& name);
+
 /// How a laser is mounted, in the plane.
 struct LaserPlace {
   Pose2 base_T_laser;
@@ -25,7 +28,8 @@ struct LaserPlace {
 class LaserPoses {
  public:
   /// Borrows the buffer.
-  LaserPoses(const tf2::BufferCore& buffer, std::string odom_frame, std::string base_frame);
+  LaserPoses(const tf2::BufferCore& buffer, const std::string& odom_frame,
+             const std::string& base_frame);
 
   /// The newest one. Throws tf2::TransformException.
   LaserPlace mount(const std::string& laser_frame) const;
