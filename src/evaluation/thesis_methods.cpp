@@ -3,7 +3,6 @@
 #include "falko_slam/evaluation/thesis_methods.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <random>
 #include <stdexcept>

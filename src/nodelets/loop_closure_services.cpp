@@ -4,7 +4,6 @@
 // The services of the LoopClosure nodelet. They run beside its scans.
 #include <filesystem>
 #include <stdexcept>
-#include <utility>
 
 #include "falko_slam/common/file_below.hpp"
 #include "falko_slam/ros_bridge/loop_conversion.hpp"

@@ -1,7 +1,6 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 
 #include "falko_slam/geometry/angles.hpp"

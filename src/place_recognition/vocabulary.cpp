@@ -3,8 +3,8 @@
 #include "falko_slam/place_recognition/vocabulary.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>

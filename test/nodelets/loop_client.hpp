@@ -11,7 +11,6 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
+#include <memory>
 
 #include "loop_client.hpp"
 #include "support/temporary_folder.hpp"
