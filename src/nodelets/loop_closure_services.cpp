@@ -62,7 +62,7 @@ void LoopClosureNodelet::locate(const sensor_msgs::LaserScan& message, std::size
   response.message = response.hypotheses.empty()
                          ? "none of " + std::to_string(memory_->records().size()) +
                                " keyframes fits: " + describe(report)
-                         : std::to_string(response.hypotheses.size()) + " places";
+                         : std::to_string(response.hypotheses.size()) + " hypotheses";
 }
 
 bool LoopClosureNodelet::on_save(SaveKeyframes::Request& request,

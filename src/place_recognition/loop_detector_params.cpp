@@ -15,9 +15,9 @@ void validate(const LoopDetectorParams& params) {
   require_in_range("candidates", params.candidates, 1, 1000);
   require_in_range("verified", params.verified, 1, 1000);
   require_in_range("compared", params.compared, 1, 100);
-  require_in_range("neighborhood", params.neighborhood, 0.0, 100.0);
+  require_in_range("neighborhood", params.neighborhood, 0.1, 100.0);
   require_in_range("neighbor_spacing", params.neighbor_spacing, 0.0, 100.0);
-  require_in_range("max_neighbors", params.max_neighbors, 0, 100);
+  require_in_range("max_neighbors", params.max_neighbors, 1, 100);
   require_in_range("neighbor_tolerance", params.neighbor_tolerance, 1e-3, 10.0);
   require_in_range("min_path", params.min_path, 0.0, 1e6);
   require_in_range("min_score", params.min_score, 0.0, 1.0);

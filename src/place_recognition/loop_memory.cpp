@@ -145,7 +145,9 @@ void LoopDetector::Memory::compare_first(const Keyframe& source,
     if (candidate.scan_score <= best) break;  // neighbours lower a score, all that follow too
     ask_neighbors(source, candidate);
     best = std::max(best, candidate.score);
-    if (candidate.score >= params.min_score) candidate.verdict = LoopVerdict::kNotBest;
+    if (candidate.score > 0.0 && candidate.score >= params.min_score) {
+      candidate.verdict = LoopVerdict::kNotBest;
+    }
   }
   sort_by_score(candidates);
 }

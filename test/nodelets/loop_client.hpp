@@ -25,16 +25,6 @@ namespace test {
 
 inline const Pose2 kBaseTLaser{0.4, 0.1, 0.2};
 
-/// The office with boxes in it that tell its two sides apart.
-inline Scene furnished_office() {
-  Scene scene = office_scene();
-  scene.add_box({-9.0, 1.2, 0.3}, {0.8, 0.5});
-  scene.add_box({-4.0, -1.1, 1.0}, {0.6, 0.4});
-  scene.add_box({1.5, 1.2, 0.7}, {0.9, 0.4});
-  scene.add_box({6.0, 1.0, 0.1}, {0.5, 0.5});
-  return scene;
-}
-
 /// A vehicle in the office with a loop closure nodelet of a namespace: moves, sends tf and scans,
 /// and hears keyframes and constraints. Its frames are the namespace's own.
 class LoopClient {
@@ -133,7 +123,7 @@ class LoopClient {
   ros::Publisher clock_, tf_, scans_;
   ros::Subscriber keyframe_subscriber_, constraint_subscriber_;
   tf2_ros::StaticTransformBroadcaster mounts_;
-  Scene scene_ = furnished_office();
+  Scene scene_ = office_scene();
   std::mt19937_64 random_ = seeded_random();
   ros::Time stamp_ = ros::Time(1000.0);
 };

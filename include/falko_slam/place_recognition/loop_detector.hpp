@@ -32,7 +32,8 @@ struct LoopDetectorParams {
   /// Fits that are checked against the neighbours of both keyframes. [1, 100]
   int compared = 3;
   /// Neighbours are the keyframes within this length of way on either side, at least
-  /// neighbor_spacing apart, at most max_neighbors on each side. [m]
+  /// neighbor_spacing apart, at most max_neighbors on each side; without any no loop is accepted.
+  /// [0.1, 100] [m], [0, 100] [m], [1, 100]
   double neighborhood = 3.0;
   double neighbor_spacing = 0.5;
   int max_neighbors = 6;
@@ -59,7 +60,7 @@ void validate(const LoopDetectorParams& params);
 
 /// What became of a candidate, in the order of the tests.
 enum class LoopVerdict {
-  kNotMatched,     ///< too few keypoints fit
+  kNotMatched,     ///< too few keypoints fit, or less than half as many as with another one
   kFewerPairs,     ///< than `verified` others: not looked at further
   kDisagrees,      ///< points of one scan are not where the other saw walls
   kNotRegistered,  ///< too few points to align, or a direction is open
