@@ -97,7 +97,7 @@ std::optional<Registration> register_scans(const ScanView& target, const ScanVie
   constexpr std::size_t kLeastPairs = 10;
   constexpr std::size_t kCoarsePoints = 80;  // are enough to come near
   constexpr double kCoarseStep = 1e-2;       // [m], [rad]
-  constexpr double kSmallStep = 2e-4;
+  constexpr double kSmallStep = 5e-4;
   const std::size_t coarse_stride =
       std::max<std::size_t>(1, source.points().size() / kCoarsePoints);
   Registration result;

@@ -19,7 +19,7 @@ struct TwoPointMatcherParams {
   /// Shorter segments give no hypothesis: their heading says little. [m]
   double min_segment = 0.50;
   /// Source segments that are tried, the longest of each point first. [1, 1000000]
-  int max_query_segments = 60;
+  int max_query_segments = 45;
   /// As CorrespondenceGraphParams::orientation_gate. [0, 1.5] [rad]
   double orientation_gate = 1.05;
   int max_matches = 3;  ///< K: matches to return at most. [1, 100]
