@@ -71,7 +71,7 @@ class Chain {
       }));
       points_.emplace_back();
       for (const Keypoint& keypoint : keypoints_.back()) {
-        points_.back().push_back({keypoint.position});
+        points_.back().push_back({keypoint.position, keypoint.orientation});
       }
     }
     return loop_timing(std::move(times));
