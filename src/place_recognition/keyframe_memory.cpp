@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace falko_slam {
+
 void validate(const LoopClosureParams& params) {
   validate(params.scan);
   validate(params.selector);

@@ -55,7 +55,8 @@ std::vector<LoopCandidate> LoopDetector::Memory::match(const Keyframe& source,
     LoopCandidate candidate;
     candidate.target = found.id;
     candidate.signature_distance = found.distance;
-    // Those with less than half of the pairs of another one have never been the best.
+    // Those with less than half of the pairs of another one are seldom the best: not worth the
+    // time.
     for (const MatchResult& match :
          matcher.match(source.points, targets[found.id.value], most / 2)) {
       candidate.pairs = match.pairs.size();
