@@ -3,85 +3,57 @@
 #include "falko_slam/place_recognition/scan_registration.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "falko_slam/common/validation.hpp"
+#include "falko_slam/geometry/angles.hpp"
 #include "footing.hpp"
+#include "registration_equations.hpp"
 
 namespace falko_slam {
 namespace {
 
-// Neighbouring residuals are alike (they share beams and normals, walls are not straight): the
-// gradient is also summed over blocks of wall of this length, whose sums are independent. [m]
-constexpr double kBlock = 0.5;
+constexpr std::size_t kLeastPairs = 10;
+constexpr std::size_t kCoarsePoints = 80;  // are enough to come near
+constexpr double kCoarseStep = 1e-2;       // [m], [rad]
+constexpr double kSmallStep = 5e-4;
 
-// The normal equations of the point-to-line distances, about the position of the source:
-//     r = n . (target_T_source p - q),  dr/d(x, y, theta) = (n_x, n_y, n . perp(R p)).
-struct NormalEquations {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  double squares = 0.0;
-  std::size_t pairs = 0;
-  // Squares of the gradient's parts: of the pairs, and of the blocks of neighbouring pairs.
-  Eigen::Matrix3d pair_scatter = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d block_scatter = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d block = Eigen::Vector3d::Zero();
-
-  void add(const SurfacePoint& surface, const Eigen::Vector2d& point, const Pose2& pose) {
-    const Eigen::Vector2d arm = point - pose.translation();
-    const Eigen::Vector2d& n = surface.normal;
-    const double residual = n.dot(point - surface.position);
-    const Eigen::Vector3d jacobian(n.x(), n.y(), n.y() * arm.x() - n.x() * arm.y());
-    const Eigen::Vector3d part = jacobian * residual;
-    information += jacobian * jacobian.transpose();
-    gradient += part;
-    squares += residual * residual;
-    ++pairs;
-    pair_scatter += part * part.transpose();
-    block += part;
-  }
-  void end_block() {
-    block_scatter += block * block.transpose();
-    block.setZero();
-  }
+struct Pairing {
+  double gate;         // [m]
+  double loss_scale;   // [m]
+  std::size_t stride;  // of the points
 };
 
-NormalEquations equations(const ScanView& target, const ScanView& source, const Pose2& pose,
-                          double gate, std::size_t stride) {
-  NormalEquations result;
-  Eigen::Vector2d block_begin = Eigen::Vector2d::Constant(1e9);
-  for (std::size_t i = 0; i < source.points().size(); i += stride) {
+void add_pairs(const PosedView& target, const ScanView& source, const Pose2& pose,
+               const Pairing& pairing, RegistrationEquations& sum) {
+  const Pose2 view_T_source = target.target_T_view.inverse() * pose;
+  const Eigen::Matrix2d target_R_view = target.target_T_view.rotation();
+  for (std::size_t i = 0; i < source.points().size(); i += pairing.stride) {
     const SurfacePoint& point = source.points()[i];
-    const Eigen::Vector2d in_target = pose * point.position;
-    const Footing found = footing(target, in_target, gate);
-    if (found.surface == nullptr || found.distance > gate) continue;
+    const Eigen::Vector2d in_view = view_T_source * point.position;
+    const Footing found = footing(*target.view, in_view, pairing.gate);
+    if (found.surface == nullptr || found.distance > pairing.gate) continue;
     if (found.surface->normal.isZero(0.0)) continue;
-    if ((point.position - block_begin).squaredNorm() > kBlock * kBlock) {
-      result.end_block();
-      block_begin = point.position;
-    }
-    result.add(*found.surface, in_target, pose);
+    const double residual = found.surface->normal.dot(in_view - found.surface->position);
+    sum.add({target_R_view * found.surface->normal,
+             target.target_T_view * in_view - pose.translation(), point.position, residual,
+             found.surface->normal_gain});
   }
-  result.end_block();
-  return result;
+  sum.end_block();
 }
 
-// Of independent residuals of one variance, times their design effect \cite kish1965: how much
-// greater the variance of the gradient is, being the sum of blocks instead of pairs.
-Eigen::Matrix3d covariance_of(const NormalEquations& sum, const Eigen::Matrix3d& inverse) {
-  const double variance = sum.squares / static_cast<double>(sum.pairs - 3);
-  const double of_pairs = (inverse * sum.pair_scatter).trace();
-  const double of_blocks = (inverse * sum.block_scatter).trace();
-  const double effect = of_pairs > 0.0 ? std::max(1.0, of_blocks / of_pairs) : 1.0;
-  return variance * effect * inverse;
+RegistrationEquations equations(const std::vector<PosedView>& target, const ScanView& source,
+                                const Pose2& pose, const Pairing& pairing) {
+  RegistrationEquations sum(pairing.loss_scale);
+  for (const PosedView& view : target) add_pairs(view, source, pose, pairing, sum);
+  return sum;
 }
 
-// 1 if the normals point in all directions alike, 0 if they are parallel.
-double constraint_of(const Eigen::Matrix2d& scatter) {
-  const double half_trace = 0.5 * scatter.trace();
-  const double half_difference = 0.5 * (scatter(0, 0) - scatter(1, 1));
-  return (half_trace - std::hypot(half_difference, scatter(0, 1))) / half_trace;
+Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
+  const Eigen::Vector2d way = to.translation() - from.translation();
+  return {way.x(), way.y(), wrap_angle(to.theta() - from.theta())};
 }
 
 }  // namespace
@@ -90,14 +62,13 @@ void validate(const RegistrationParams& params) {
   require_in_range("iterations", params.iterations, 1, 1000);
   require_in_range("first_gate", params.first_gate, 1e-3, 100.0);
   require_in_range("last_gate", params.last_gate, 1e-3, 100.0);
+  require_in_range("loss_scale", params.loss_scale, 0.0, 100.0);
 }
 
-std::optional<Registration> register_scans(const ScanView& target, const ScanView& source,
-                                           const Pose2& initial, const RegistrationParams& params) {
-  constexpr std::size_t kLeastPairs = 10;
-  constexpr std::size_t kCoarsePoints = 80;  // are enough to come near
-  constexpr double kCoarseStep = 1e-2;       // [m], [rad]
-  constexpr double kSmallStep = 5e-4;
+std::optional<Registration> register_scan(const std::vector<PosedView>& target,
+                                          const ScanView& source, const Pose2& initial,
+                                          const RegistrationParams& params,
+                                          const Eigen::Matrix3d& prior) {
   const std::size_t coarse_stride =
       std::max<std::size_t>(1, source.points().size() / kCoarsePoints);
   Registration result;
@@ -105,27 +76,40 @@ std::optional<Registration> register_scans(const ScanView& target, const ScanVie
   bool fine = false;
   for (int iteration = 0; iteration < params.iterations; ++iteration) {
     fine = fine || 2 * iteration + 1 >= params.iterations;
-    const NormalEquations sum =
-        fine ? equations(target, source, pose, params.last_gate, 1)
-             : equations(target, source, pose, params.first_gate, coarse_stride);
-    if (sum.pairs < kLeastPairs) return std::nullopt;
-    const Eigen::LDLT<Eigen::Matrix3d> solver(sum.information);
+    const Pairing pairing = fine ? Pairing{params.last_gate, params.loss_scale, 1}
+                                 : Pairing{params.first_gate, params.loss_scale, coarse_stride};
+    const RegistrationEquations sum = equations(target, source, pose, pairing);
+    if (sum.pairs() < kLeastPairs) return std::nullopt;
+    // A point that has a pair in several views is still one point with one error.
+    const double weight = 1.0 / static_cast<double>(target.size());
+    const MeasuredPose measured = sum.measured(weight, fine);
+    const Eigen::Matrix3d information = measured.information + prior;
+    const Eigen::LDLT<Eigen::Matrix3d> solver(information);
     const Eigen::Vector3d pivots = solver.vectorD();
     if (!(pivots.minCoeff() > 1e-6 * pivots.maxCoeff())) return std::nullopt;
-    const Eigen::Vector3d step = solver.solve(-sum.gradient);
+    const Eigen::Vector3d step =
+        solver.solve(-measured.gradient - prior * difference(pose, initial));
     pose = Pose2(pose.translation() + step.head<2>(), pose.theta() + step.z());
     const double longest = step.cwiseAbs().maxCoeff();
     if (fine) {
-      result.rms_residual = std::sqrt(sum.squares / static_cast<double>(sum.pairs));
-      result.constraint = constraint_of(sum.information.topLeftCorner<2, 2>());
-      result.target_T_source.covariance =
-          covariance_of(sum, solver.solve(Eigen::Matrix3d::Identity()));
+      const Eigen::Matrix3d inverse = solver.solve(Eigen::Matrix3d::Identity());
+      const double effect = sum.design_effect(inverse);
+      result.rms_residual = std::sqrt(sum.mean_square());
+      result.constraint = sum.constraint();
+      result.information = measured.information / effect;
+      result.target_T_source.covariance = (result.information + prior).inverse();
       if (longest < kSmallStep) break;
     }
     fine = fine || longest < kCoarseStep;
   }
   result.target_T_source.pose = pose;
   return result;
+}
+
+std::optional<Registration> register_scans(const ScanView& target, const ScanView& source,
+                                           const Pose2& target_T_source,
+                                           const RegistrationParams& params) {
+  return register_scan({{&target, Pose2()}}, source, target_T_source, params);
 }
 
 }  // namespace falko_slam

@@ -13,6 +13,8 @@ namespace {
 
 // Length of a piece of wall that a beam without neighbours stands for [m].
 constexpr double kLoneLength = 0.02;
+// Of so short a chord the noise is as great as the length [m].
+constexpr double kShortChord = 0.04;
 
 }  // namespace
 
@@ -76,6 +78,8 @@ void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   const Eigen::Vector2d along = at_reach(1) - at_reach(-1);
   if (along.isZero(0.0)) return;
   const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
+  // Both ends are off by as much; no normal is off by more than all directions are.
+  here.normal_gain = 2.0 / (along.squaredNorm() + kShortChord * kShortChord);
   here.normal = normal.dot(here.position) > 0.0 ? Eigen::Vector2d(-normal) : normal;
   const Eigen::Vector2d next = all_[beside(beam, 1, params)].position;
   const Eigen::Vector2d previous = all_[beside(beam, -1, params)].position;

@@ -77,6 +77,50 @@ TEST(RegisterScans, KnowsThatACorridorIsOpenAlongItself) {
   }
 }
 
+// The noise of the normals alone would hold the scan to within 2 cm along the corridor.
+TEST(RegisterScan, FollowsThePriorAlongACorridor) {
+  auto random = test::seeded_random();
+  const Pose2 truth(0.5, 0.1, 0.05);
+  const Pose2 start = Pose2(0.1, 0.0, 0.0) * truth;
+  const Eigen::Matrix3d prior = Eigen::Vector3d(100.0, 100.0, 100.0).asDiagonal();
+  double mean = 0.0;
+  constexpr int kRuns = 50;
+  for (int run = 0; run < kRuns; ++run) {
+    const ScanView target = test::view_of(corridor(), {}, random, 0.02, 720);
+    const ScanView source = test::view_of(corridor(), truth, random, 0.02, 720);
+    const auto found = register_scan({{&target, Pose2()}}, source, start, {}, prior);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->target_T_source.pose.y(), truth.y(), 0.02);
+    EXPECT_NEAR(found->target_T_source.pose.theta(), truth.theta(), 0.01);
+    mean += (found->target_T_source.pose.x() - start.x()) / kRuns;
+  }
+  EXPECT_NEAR(mean, 0.0, 0.02);
+}
+
+TEST(RegisterScan, ScansOfTheTargetLieWhereTheyWereTaken) {
+  auto random = test::seeded_random();
+  const Pose2 elsewhere(20.0, -7.0, 2.0);
+  const Pose2 second(0.4, -0.2, 0.3);
+  const Pose2 truth(0.2, 0.3, -0.2);
+  const ScanView a = test::view_of(test::room_with_pillar(), {}, random);
+  const ScanView b = test::view_of(test::room_with_pillar(), second, random);
+  const ScanView source = test::view_of(test::room_with_pillar(), truth, random);
+  const auto found = register_scan({{&a, elsewhere}, {&b, elsewhere * second}}, source,
+                                   elsewhere * truth * Pose2(0.05, 0.05, 0.02), {});
+  ASSERT_TRUE(found);
+  expect_near(found->target_T_source.pose, elsewhere * truth, 0.005, 0.2);
+}
+
+TEST(RegisterScan, AFirmPriorIsKept) {
+  auto random = test::seeded_random();
+  const ScanView view = test::view_of(test::square_room(), {}, random);
+  const Pose2 start(0.05, 0.02, 0.01);
+  const auto found = register_scan({{&view, Pose2()}}, view, start, {},
+                                   Eigen::Matrix3d(1e9 * Eigen::Matrix3d::Identity()));
+  ASSERT_TRUE(found);
+  expect_near(found->target_T_source.pose, start, 1e-3, 0.1);
+}
+
 TEST(RegisterScans, ASquareRoomHoldsAllDirectionsAlike) {
   auto random = test::seeded_random();
   const ScanView target = test::view_of(test::square_room(), {}, random);

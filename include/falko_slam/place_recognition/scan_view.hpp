@@ -19,6 +19,8 @@ struct SurfacePoint {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< laser frame [m]
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();    ///< towards the laser; zero: not known
   double length = 0.0;                                 ///< of the piece of wall [m]
+  /// Variance of the normal's angle per variance of a point's distance to the wall [1/m^2].
+  double normal_gain = 0.0;
 };
 
 struct ScanViewParams {
