@@ -58,7 +58,7 @@ double RegistrationEquations::variance(double explained) const {
 // A normal that is off by phi turns into n + phi t: information_ has grown by
 // E[phi^2] (J_t^T J_t), which is feigned_ times the variance of a point. In the eigenvectors of
 // feigned_ relative to information_ both are diagonal, and each direction keeps its true share.
-MeasuredPose RegistrationEquations::measured(double weight, bool near) const {
+MeasuredPose RegistrationEquations::measured(double weight, bool honest) const {
   const Eigen::LLT<Eigen::Matrix3d> cholesky(information_);
   if (cholesky.info() != Eigen::Success) {
     const double scale = weight / variance(0.0);
@@ -68,7 +68,7 @@ MeasuredPose RegistrationEquations::measured(double weight, bool near) const {
   const Eigen::Matrix3d inverse = cholesky.matrixL().solve(Eigen::Matrix3d::Identity().eval());
   const double noise = variance((inverse * gradient_).squaredNorm());
   const double scale = weight / noise;
-  if (!near) return {scale * information_, scale * gradient_};
+  if (!honest) return {scale * information_, scale * gradient_};
   const Eigen::Matrix3d relative = noise * inverse * feigned_ * inverse.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> shares;
   shares.computeDirect(relative);

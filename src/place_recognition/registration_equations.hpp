@@ -37,9 +37,9 @@ class RegistrationEquations {
   std::size_t pairs() const { return pairs_; }
   double mean_square() const;  ///< of the residuals [m^2]
 
-  /// `weight` of a pair beside one of its own. Near the right pose, where the residuals tell how
-  /// great the noise is, what the noise of the normals feigns is taken off.
-  MeasuredPose measured(double weight, bool near) const;
+  /// `weight` of a pair beside one of its own. `honest`: what the noise of the normals feigns is
+  /// taken off; for near the right pose, where the residuals tell how great the noise is.
+  MeasuredPose measured(double weight, bool honest) const;
   /// How much greater the variance of the gradient is than that of independent residuals: their
   /// design effect \cite kish1965, at least 1.
   double design_effect(const Eigen::Matrix3d& inverse) const;

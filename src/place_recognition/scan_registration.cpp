@@ -71,6 +71,7 @@ std::optional<Registration> register_scan(const std::vector<PosedView>& target,
                                           const Eigen::Matrix3d& prior) {
   const std::size_t coarse_stride =
       std::max<std::size_t>(1, source.points().size() / kCoarsePoints);
+  const bool has_prior = !prior.isZero(0.0);
   Registration result;
   Pose2 pose = initial;
   bool fine = false;
@@ -82,7 +83,7 @@ std::optional<Registration> register_scan(const std::vector<PosedView>& target,
     if (sum.pairs() < kLeastPairs) return std::nullopt;
     // A point that has a pair in several views is still one point with one error.
     const double weight = 1.0 / static_cast<double>(target.size());
-    const MeasuredPose measured = sum.measured(weight, fine);
+    const MeasuredPose measured = sum.measured(weight, fine && has_prior);
     const Eigen::Matrix3d information = measured.information + prior;
     const Eigen::LDLT<Eigen::Matrix3d> solver(information);
     const Eigen::Vector3d pivots = solver.vectorD();
@@ -96,8 +97,8 @@ std::optional<Registration> register_scan(const std::vector<PosedView>& target,
       const double effect = sum.design_effect(inverse);
       result.rms_residual = std::sqrt(sum.mean_square());
       result.constraint = sum.constraint();
-      result.information = measured.information / effect;
-      result.target_T_source.covariance = (result.information + prior).inverse();
+      result.information = sum.measured(weight, true).information / effect;
+      result.target_T_source.covariance = (measured.information / effect + prior).inverse();
       if (longest < kSmallStep) break;
     }
     fine = fine || longest < kCoarseStep;

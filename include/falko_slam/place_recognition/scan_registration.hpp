@@ -42,11 +42,13 @@ struct PosedView {
 
 /// Point-to-line registration \cite censi2008icp of a scan with the scans that make up the target,
 /// from an initial pose; pairs are found along the beams of the target's scans, and each point may
-/// have one in each of them. What an error of the lines' normals feigns is taken off: in a corridor
-/// without features the scans say nothing of the way along it.
+/// have one in each of them.
 ///
-/// `prior` is the information of the initial pose: of x, y [m] and theta [rad], target frame. Empty
-/// if fewer than 10 points are paired, or if these and the prior leave a direction open.
+/// `prior` is the information of the initial pose: of x, y [m] and theta [rad], target frame. With
+/// one, what an error of the lines' normals feigns is taken off: in a corridor without features the
+/// scans say nothing of the way along it. Without one this little is better than nothing.
+///
+/// Empty if fewer than 10 points are paired, or if these and the prior leave a direction open.
 std::optional<Registration> register_scan(const std::vector<PosedView>& target,
                                           const ScanView& source, const Pose2& target_T_source,
                                           const RegistrationParams& params,
