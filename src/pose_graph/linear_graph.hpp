@@ -4,7 +4,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
-#include <optional>
 #include <vector>
 
 #include "graph_problem.hpp"
@@ -26,7 +25,7 @@ class LinearGraph {
   using Matrix = Eigen::SparseMatrix<double>;
 
   std::vector<Eigen::Index> column_;  // first of each node, -1 for an anchored one
-  Eigen::SimplicialLDLT<Matrix> factor_;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
   bool solvable_ = false;
 };
 

@@ -7,6 +7,7 @@
 
 #include "falko_slam/common/validation.hpp"
 #include "graph_problem.hpp"
+#include "incremental_solver.hpp"
 #include "linear_graph.hpp"
 #include "node_index.hpp"
 
@@ -48,6 +49,18 @@ struct PoseGraphOptimizer::State {
   std::vector<KeyframeId> ids;
   std::vector<GraphConstraint> constraints;  // of the factors with the same numbers
   GraphProblem problem;
+  IncrementalSolver incremental;
+
+  template <class Solve>
+  OptimizationSummary summarize(const Solve& solve) {
+    OptimizationSummary summary;
+    summary.initial_chi2 = evaluate_cost(problem, params).chi2;
+    solve(summary);
+    const GraphCost final = evaluate_cost(problem, params);
+    summary.final_chi2 = final.chi2;
+    summary.final_cost = final.cost;
+    return summary;
+  }
 };
 
 PoseGraphOptimizer::PoseGraphOptimizer(const OptimizerParams& params)
@@ -102,13 +115,16 @@ void PoseGraphOptimizer::fix(KeyframeId node) {
 }
 
 OptimizationSummary PoseGraphOptimizer::optimize() {
-  OptimizationSummary summary;
-  summary.initial_chi2 = evaluate_cost(state_->problem, state_->params).chi2;
-  solve_with_ceres(state_->problem, state_->params, summary);
-  const GraphCost final = evaluate_cost(state_->problem, state_->params);
-  summary.final_chi2 = final.chi2;
-  summary.final_cost = final.cost;
-  return summary;
+  return state_->summarize([this](OptimizationSummary& summary) {
+    solve_with_ceres(state_->problem, state_->params, summary);
+  });
+}
+
+OptimizationSummary PoseGraphOptimizer::update() {
+  return state_->summarize([this](OptimizationSummary& summary) {
+    if (state_->incremental.solve(state_->problem, state_->params, summary)) return;
+    solve_with_ceres(state_->problem, state_->params, summary);
+  });
 }
 
 Pose2 PoseGraphOptimizer::pose(KeyframeId node) const {

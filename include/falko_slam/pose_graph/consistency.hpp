@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "falko_slam/pose_graph/pose_graph.hpp"
@@ -13,13 +12,13 @@ namespace falko_slam {
 
 struct ConsistencyParams {
   /// Of a true closure, or of a pair of them, to pass its test. [0.5, 0.999999]
-  double gate_probability = 0.99;
-  /// Closures that tell the same tale before they are believed against odometry that cannot tell:
-  /// see ClosureSelection. [1, 100]
+  double gate_probability = 0.999;
+  /// A test is trusted if a false closure, anywhere in the area driven so far and with any heading,
+  /// passes it with at most this probability. [0, 1]
+  double trusted_chance = 0.002;
+  /// How many closures must agree by trusted tests, each of them counted, where odometry alone is
+  /// not trusted. [1, 100]
   int confirmations = 2;
-  /// Standard deviation of the position, along odometry alone, up to which odometry can tell a
-  /// true closure from a false one. [0, 1000] [m]
-  double trusted_drift = 1.0;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const ConsistencyParams& params);
@@ -35,19 +34,24 @@ const char* name_of(ClosureVerdict verdict);
 /// Which closures may enter the graph: pairwise consistency maximisation (\cite mangelson2018),
 /// kept up as closures come in.
 ///
-/// Odometry is a chain of steps. Closure i says where node b_i is seen from node a_i; with odometry
-/// o between any two nodes of the chain, two tests with three degrees of freedom are made:
+/// Odometry is a chain of steps, C_p the pose of node p along it. Closure i measured z_i from a_i
+/// to b_i; it corrects the chain by D_i = C_(a_i) z_i C_(b_i)^-1. Two tests, with three degrees of
+/// freedom each, within the covariance of what is multiplied, to first order:
 ///
-///     alone    z_i^-1 o(a_i, b_i)                               is the identity
-///     pairs    z_i^-1 o(a_i, a_j) z_j o(b_j, b_i)               is the identity
+///     alone    D_i = 1                that is, z_i = o(a_i, b_i)
+///     pairs    D_j D_i^-1 = 1         that is, o(a_i, a_j) z_j o(b_j, b_i) z_i^-1 = 1
 ///
-/// within the covariance of what is multiplied, to first order, whatever stretch of odometry is run
-/// through twice counting once in each direction. A closure that fails alone is refused. Of the
-/// rest, two are joined by an edge if they pass as a pair; the largest clique is accepted.
+/// A stretch of odometry that a cycle runs through twice, there and back, cancels as it must. A
+/// closure that fails alone is refused. Of the rest the largest set is kept in which all pairs
+/// pass; of sets of one size, the one that was there first.
 ///
-/// A pair says little where odometry between their ends has drifted far: a closure that nobody
-/// confirms is accepted if odometry can tell (its standard deviation is at most `trusted_drift`),
-/// else it is pending until `confirmations` in all, it among them, agree. Not thread-safe.
+/// The further odometry drifts, the more false closures pass: by the volume of the gate over that
+/// of all poses in the area driven so far. Where that chance is above `trusted_chance` in the test
+/// alone, a closure that stands by itself says nothing about its truth: it is pending until there
+/// are `confirmations` that agree, by tests of pairs whose drift can be trusted again.
+///
+/// A pair costs O(1), a closure O(closures), and the largest set is searched only among those that
+/// hang together by contradictions. Not thread-safe.
 class ClosureSelection {
  public:
   /// Throws std::invalid_argument.
@@ -69,11 +73,16 @@ class ClosureSelection {
   std::vector<Change> add_closure(const GraphConstraint& closure);
 
   ClosureVerdict verdict(std::size_t closure) const;
-  std::size_t closures() const;
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The verdict of each constraint of a graph whose closures come in their order; accepted for all
+/// that are no closures. The chain is made of the constraints of each node and the next one in the
+/// graph. Throws std::invalid_argument where one is missing.
+std::vector<ClosureVerdict> select_closures(const PoseGraph& graph,
+                                            const ConsistencyParams& params = {});
 
 }  // namespace falko_slam
