@@ -19,7 +19,7 @@ struct ScanFootprint;
 
 struct OccupancyGridParams {
   double resolution = 0.05;       ///< side of a cell [m], [0.01, 1]
-  double hit_probability = 0.7;   ///< of a cell in which a beam ends, [0.5, 0.99]
+  double hit_probability = 0.8;   ///< of a cell in which a beam ends, [0.5, 0.99]
   double miss_probability = 0.4;  ///< of a cell that a beam has passed, [0.01, 0.5]
   double min_probability = 0.05;  ///< a cell never gets surer to be free, [0.001, 0.5]
   double max_probability = 0.97;  ///< a cell never gets surer to be occupied, [0.5, 0.999]
