@@ -13,6 +13,7 @@ namespace cli {
 void add_convert(CLI::App& app);
 void add_detect(CLI::App& app);
 void add_evaluate(CLI::App& app);
+void add_evaluate_slam(CLI::App& evaluate);  // below `evaluate`
 void add_parameters(CLI::App& app);
 void add_simulate(CLI::App& app);
 
