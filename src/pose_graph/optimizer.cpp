@@ -97,7 +97,7 @@ void PoseGraphOptimizer::add_node(const GraphNode& node) {
 std::size_t PoseGraphOptimizer::add_constraint(const GraphConstraint& constraint) {
   state_->problem.factors.push_back({state_->index.at(constraint.from),
                                      state_->index.at(constraint.to), factor_of(constraint),
-                                     constraint.kind == ConstraintKind::kClosure});
+                                     constraint.kind != ConstraintKind::kOdometry});
   state_->constraints.push_back(constraint);
   return state_->constraints.size() - 1;
 }

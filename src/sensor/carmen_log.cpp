@@ -4,10 +4,9 @@
 
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 #include "carmen_line.hpp"
-#include "compressed_input.hpp"
+#include "falko_slam/common/line_reader.hpp"
 
 namespace falko_slam {
 namespace {
@@ -39,13 +38,13 @@ RawScan CarmenScan::raw() const {
 }
 
 struct CarmenLogReader::State {
-  std::string path;
-  std::unique_ptr<boost::iostreams::filtering_istream> in;
+  explicit State(const std::string& path) : file(path) {}
+
+  LineReader file;
   CarmenReport report;
   double flaser_range_max = kDefaultMaxRange;
   std::optional<Time> last_stamp;
 
-  bool read_line(std::string& line);
   std::optional<CarmenRecord> parse(const std::string& line);
   template <class Record>
   std::optional<CarmenRecord> count(std::optional<Record> record, std::size_t& counter);
@@ -56,17 +55,6 @@ struct CarmenLogReader::State {
     last_stamp = record.stamp;
   }
 };
-
-bool CarmenLogReader::State::read_line(std::string& line) {
-  try {
-    if (!std::getline(*in, line)) return false;
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + ": damaged after line " + std::to_string(report.lines) + ": " +
-                             error.what());
-  }
-  ++report.lines;
-  return true;
-}
 
 template <class Record>
 std::optional<CarmenRecord> CarmenLogReader::State::count(std::optional<Record> record,
@@ -99,17 +87,15 @@ std::optional<CarmenRecord> CarmenLogReader::State::parse(const std::string& lin
   return std::nullopt;
 }
 
-CarmenLogReader::CarmenLogReader(const std::string& path) : state_(std::make_unique<State>()) {
-  state_->path = path;
-  state_->in = open_compressed(path);
-}
+CarmenLogReader::CarmenLogReader(const std::string& path) : state_(std::make_unique<State>(path)) {}
 CarmenLogReader::~CarmenLogReader() = default;
 CarmenLogReader::CarmenLogReader(CarmenLogReader&&) noexcept = default;
 CarmenLogReader& CarmenLogReader::operator=(CarmenLogReader&&) noexcept = default;
 
 std::optional<CarmenRecord> CarmenLogReader::next() {
   std::string line;
-  while (state_->read_line(line)) {
+  while (state_->file.next(line)) {
+    ++state_->report.lines;
     if (auto record = state_->parse(line)) return record;
   }
   return std::nullopt;

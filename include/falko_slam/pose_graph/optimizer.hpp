@@ -20,7 +20,8 @@ enum class Loss {
 };
 
 struct OptimizerParams {
-  Loss closure_loss = Loss::kCauchy;  ///< of constraints of the kind kClosure
+  /// Of constraints of the kinds kClosure and kRegistration: scans may be registered wrongly, too.
+  Loss closure_loss = Loss::kCauchy;
   /// In standard deviations of the residual; of true closures 95 in 100 are below 2.8. [0.01, 1000]
   double loss_scale = 2.8;
   int max_iterations = 100;  ///< [1, 10000]
