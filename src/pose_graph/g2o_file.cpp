@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "../sensor/compressed_input.hpp"
+#include "falko_slam/common/line_reader.hpp"
 #include "falko_slam/common/whole_file.hpp"
 #include "g2o_line.hpp"
 
@@ -130,17 +130,15 @@ bool ends_with(const std::string& text, const std::string& ending) {
 }  // namespace
 
 G2oFile read_g2o(const std::string& path) {
-  const auto in = open_compressed(path);
+  LineReader in(path);
   Reading reading;
   std::string line;
-  std::size_t number = 0;
-  try {
-    while (std::getline(*in, line)) read_line(line, ++number, reading);
-  } catch (const std::ios_base::failure& error) {
-    throw std::runtime_error(path + ": damaged after line " + std::to_string(number) + ": " +
-                             error.what());
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(at_line(path, number) + error.what());
+  while (in.next(line)) {
+    try {
+      read_line(line, in.lines(), reading);
+    } catch (const std::runtime_error& error) {
+      in.fail(error.what());
+    }
   }
   PoseGraph& graph = reading.file.graph;
   reading.file.has_poses = !graph.nodes.empty();
