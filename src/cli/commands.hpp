@@ -17,6 +17,7 @@ void add_optimize(CLI::App& app);
 void add_evaluate_slam(CLI::App& evaluate);  // below `evaluate`
 void add_parameters(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_slam(CLI::App& app);
 
 /// A check of an option's value, as CLI::Range, which lets nan pass.
 inline CLI::Validator number_in(double min, double max) {

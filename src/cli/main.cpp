@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   falko_slam::cli::add_optimize(app);
   falko_slam::cli::add_parameters(app);
   falko_slam::cli::add_simulate(app);
+  falko_slam::cli::add_slam(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) throw CLI::RequiredError::Subcommand(1);

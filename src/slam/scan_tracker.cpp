@@ -36,6 +36,14 @@ Eigen::Matrix3d seen_from(const Eigen::Matrix3d& covariance, double angle) {
   return rotation.transpose() * covariance * rotation;
 }
 
+// Of an empty scan nothing is to be remembered.
+bool shows_enough(const ScanView& view) { return view.points().size() >= 10; }
+
+// Nothing turns or moves farther between two scans unseen: rooms and corridors that look alike
+// turned around would be mistaken for themselves. [m], [rad]
+constexpr double kFarthestStart = 1.5;
+constexpr double kWidestStart = 1.0;
+
 bool same_place(const Pose2& a, const Pose2& b) {
   constexpr double kNear = 0.02;  // [m], [rad]
   const Pose2 difference = a.inverse() * b;
@@ -127,9 +135,15 @@ std::vector<Pose2> ScanTracker::other_starts(const LaserScan& scan, const Pose2&
     }
   }
   const Local& newest = local_.back();
+  const Pose2 predicted = last_->track_T_laser * step;
   const std::vector<MatchPoint> source = builder_.build(scan).points;
   for (const MatchResult& match : matcher_.match(source, builder_.build(newest.scan).points)) {
-    starts.push_back(newest.track_T_laser * match.target_T_source->pose);
+    const Pose2 start = newest.track_T_laser * match.target_T_source->pose;
+    const Pose2 move = predicted.inverse() * start;
+    if (move.translation().norm() > kFarthestStart || std::abs(move.theta()) > kWidestStart) {
+      continue;
+    }
+    starts.push_back(start);
   }
   return starts;
 }
@@ -153,18 +167,20 @@ bool ScanTracker::far_from_keyframe(const Pose2& pose) const {
   return way.translation().norm() >= params_.min_step || std::abs(way.theta()) >= params_.min_turn;
 }
 
-TrackedScan ScanTracker::begin(Time stamp, const std::optional<Pose2>& odom_T_laser) {
+TrackedScan ScanTracker::begin(const LaserScan& scan, Time stamp,
+                               const std::optional<Pose2>& odom_T_laser) {
   TrackedScan result;
   result.track_T_laser = odom_T_laser.value_or(Pose2());
-  result.agreement = 1.0;
-  result.keyframe = true;
+  result.keyframe = shows_enough(ScanView(scan, builder_.params().view));
+  result.agreement = result.keyframe ? 1.0 : 0.0;
+  result.lost = !result.keyframe;
   last_ = Last{result.track_T_laser, Eigen::Matrix3d::Zero(), odom_T_laser, stamp, Pose2()};
   return result;
 }
 
 TrackedScan ScanTracker::track(const LaserScan& scan, Time stamp,
                                const std::optional<Pose2>& odom_T_laser) {
-  if (local_.empty() || !last_) return begin(stamp, odom_T_laser);
+  if (local_.empty() || !last_) return begin(scan, stamp, odom_T_laser);
   const Prediction prediction = predict(stamp, odom_T_laser);
   const Eigen::Matrix3d prior = prediction.covariance.inverse();
   const ScanView view(scan, builder_.params().view);
@@ -184,7 +200,7 @@ TrackedScan ScanTracker::track(const LaserScan& scan, Time stamp,
   result.track_T_laser = best.pose;
   result.keyframe_T_laser.pose = keyframe.inverse() * best.pose;
   result.keyframe_T_laser.covariance = seen_from(covariance, keyframe.theta());
-  result.keyframe = far_from_keyframe(best.pose);
+  result.keyframe = far_from_keyframe(best.pose) && shows_enough(view);
   const Pose2 step = last_->track_T_laser.inverse() * best.pose;
   last_ = Last{best.pose, covariance, odom_T_laser, stamp, step};
   return result;

@@ -65,7 +65,7 @@ class ScanTracker {
   explicit ScanTracker(const ScanTrackerParams& params = {}, const KeyframeParams& keyframe = {},
                        const AgreementParams& agreement = {});
 
-  /// For each scan in turn. `odom_T_laser` must be there for all scans, or for none.
+  /// For each scan in turn.
   TrackedScan track(const LaserScan& scan, Time stamp, const std::optional<Pose2>& odom_T_laser);
   /// Makes this scan, the one of the last call to `track`, the newest keyframe of the local map.
   void keep(const LaserScan& scan);
@@ -100,7 +100,7 @@ class ScanTracker {
   };
 
   Prediction predict(Time stamp, const std::optional<Pose2>& odom_T_laser) const;
-  TrackedScan begin(Time stamp, const std::optional<Pose2>& odom_T_laser);
+  TrackedScan begin(const LaserScan& scan, Time stamp, const std::optional<Pose2>& odom_T_laser);
   std::optional<Fit> fit(const ScanView& view, const Pose2& start,
                          const Eigen::Matrix3d& prior) const;
   double agreement_at(const ScanView& view, const Pose2& pose) const;

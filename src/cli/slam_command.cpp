@@ -1,0 +1,98 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "slam_run.hpp"
+
+namespace falko_slam {
+namespace cli {
+namespace {
+
+struct SlamOptions {
+  std::string recording;
+  std::string out;
+  DriveRecordingParams reading;
+  bool no_odometry = false;
+  double outliers = 0.0;
+  unsigned seed = 1;
+  SlamParams params;
+};
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+}
+
+void warn(const DriveRecordingReport& read, const SlamOptions& options) {
+  if (!read.base_known) {
+    std::cerr << "no transform from " << options.reading.base_frame
+              << " to the laser: the laser is taken for " << options.reading.base_frame << "\n";
+  }
+  if (read.without_odometry == 0) return;
+  std::cerr << read.without_odometry << " of " << read.scans << " scans without odometry ("
+            << options.reading.odom_frame
+            << "): there the motion is found by registration of the scans alone\n";
+}
+
+void print(const SlamRun& run, const DriveRecordingReport& read, const SlamOptions& options) {
+  std::size_t accepted = 0;
+  for (const SlamClosure& closure : run.slam().closures()) accepted += closure.accepted ? 1U : 0U;
+  std::printf("%s: %s\n", options.recording.c_str(), read.description.c_str());
+  std::printf("%zu scans, %zu of them unusable; %zu searched for, %zu fitted nowhere\n",
+              run.record().scans(), run.unusable(), run.record().searched(), run.record().lost());
+  std::printf("%zu keyframes, %zu closures accepted, %zu refused\n", run.slam().keyframes(),
+              accepted, run.slam().closures().size() - accepted);
+  std::printf("%s\n%s\n", options.out.c_str(), describe_resources().c_str());
+}
+
+void slam(SlamOptions options) {
+  options.reading.use_odometry = !options.no_odometry;
+  make_folder(options.out);
+  SlamRun run(options.params, options.outliers, options.seed);
+  DriveRecordingReport read;
+  {
+    Progress progress("scans");
+    read = read_drive(options.recording, options.reading, [&](const RecordedScan& scan) {
+      run.add(scan);
+      progress.step();
+    });
+  }
+  warn(read, options);
+  run.finish();
+  write_slam(run, read, options.recording, options.out);
+  print(run, read, options);
+}
+
+}  // namespace
+
+void add_slam(CLI::App& app) {
+  auto options = std::make_shared<SlamOptions>();
+  CLI::App* verb = app.add_subcommand("slam", "map and trajectory of a recording");
+  verb->add_option("recording", options->recording, "CARMEN log (.gz, .bz2) or ROS bag")
+      ->required();
+  verb->add_option("--out", options->out,
+                   "folder for trajectory.tum, trajectory_online.tum, map.yaml, map.pgm, map.png, "
+                   "graph.g2o, closures.csv and report.json; made if it is not there")
+      ->required();
+  verb->add_option("--topic", options->reading.topic,
+                   "LaserScan topic of the bag; default: its only one");
+  verb->add_option("--odom-frame", options->reading.odom_frame, "of the bag's odometry")->capture_default_str();
+  verb->add_option("--base-frame", options->reading.base_frame, "of the vehicle")->capture_default_str();
+  verb->add_flag("--no-odometry", options->no_odometry, "registration of the scans alone");
+  verb->add_flag("--upside-down", options->params.scan.upside_down, "the laser hangs upside down");
+  verb->add_option("--inject-outliers", options->outliers,
+                   "false closures proposed for each one accepted, to see what they do")
+      ->check(number_in(0.0, 1.0));
+  verb->add_option("--seed", options->seed, "of the false closures")->capture_default_str();
+  verb->callback([options] { slam(*options); });
+}
+
+}  // namespace cli
+}  // namespace falko_slam

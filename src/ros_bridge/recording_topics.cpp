@@ -1,0 +1,44 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "recording_topics.hpp"
+
+#include <rosbag/view.h>
+
+#include <set>
+#include <stdexcept>
+
+namespace falko_slam {
+namespace {
+
+std::string joined(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+bool is_bag(const std::string& path) {
+  const std::string ending = ".bag";
+  return path.size() > ending.size() &&
+         path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted) {
+  std::set<std::string> scans;
+  std::set<std::string> all;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    all.insert(connection->topic);
+    if (connection->datatype == "sensor_msgs/LaserScan") scans.insert(connection->topic);
+  }
+  if (wanted.empty() && scans.size() == 1) return *scans.begin();
+  for (const std::string& name : {wanted, "/" + wanted}) {
+    if (scans.count(name) > 0) return name;
+  }
+  throw std::runtime_error(path + ": " +
+                           (wanted.empty() ? "which scans? " : "no LaserScan on " + wanted + ". ") +
+                           "LaserScan topics: " + joined(scans) + "; all topics: " + joined(all));
+}
+
+}  // namespace falko_slam

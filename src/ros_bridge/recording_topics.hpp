@@ -1,0 +1,18 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <string>
+
+namespace falko_slam {
+
+/// By its ending; anything else is a CARMEN log.
+bool is_bag(const std::string& path);
+
+/// The bag's topic of LaserScan messages that is `wanted`, or the only one if that is empty. Throws
+/// std::runtime_error that names the file (`path`) and the topics in it.
+std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted);
+
+}  // namespace falko_slam

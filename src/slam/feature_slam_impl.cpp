@@ -1,0 +1,206 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "feature_slam_impl.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace falko_slam {
+namespace {
+
+// How well poses are known before scans are linked: the registration's prior. [m], [rad]
+constexpr double kNeighborDistance = 0.05;
+constexpr double kNeighborTurn = 0.03;
+constexpr double kNearbyDistance = 0.20;
+constexpr double kNearbyTurn = 0.10;
+constexpr double kPlaceDistance = 0.10;
+constexpr double kPlaceTurn = 0.05;
+
+PoseEstimate guess(const Pose2& pose, double distance, double turn) {
+  return {pose,
+          Eigen::Vector3d(distance * distance, distance * distance, turn * turn).asDiagonal()};
+}
+
+// The tracker has mended the steps already.
+LoopClosureParams memory_params(const SlamParams& params) {
+  LoopClosureParams result;
+  result.scan = params.scan;
+  result.detector = params.loops;
+  result.detector.odometry.max_move = 0.0;
+  return result;
+}
+
+const SlamState& checked(const SlamState& state) {
+  if (state.graph.nodes.size() != state.keyframes.size()) {
+    throw std::invalid_argument("SLAM state: " + std::to_string(state.keyframes.size()) +
+                                " keyframes, but " + std::to_string(state.graph.nodes.size()) +
+                                " poses");
+  }
+  for (std::size_t i = 0; i < state.graph.nodes.size(); ++i) {
+    if (state.graph.nodes[i].id.value == i) continue;
+    throw std::invalid_argument("SLAM state: pose " + std::to_string(i) + " is of keyframe " +
+                                std::to_string(state.graph.nodes[i].id.value));
+  }
+  return state;
+}
+
+}  // namespace
+
+FeatureSlam::Impl::Impl(const SlamParams& p, const SlamState& state)
+    : params(p),
+      tracker(p.tracker, p.loops.keyframe, p.loops.agreement),
+      memory(memory_params(p), checked(state).keyframes),
+      graph(p.graph, p.nearby, p.consistency, p.optimizer) {
+  graph.load(state.graph, state.keyframes);
+}
+
+void FeatureSlam::Impl::begin_drive() {
+  tracker.reset();
+  memory.begin_drive();
+  new_drive = true;
+}
+
+SlamStep FeatureSlam::Impl::add(const SlamScan& scan) {
+  enter(SlamStage::kTracking);
+  std::optional<Pose2> odom_T_laser;
+  if (scan.odom_T_base) odom_T_laser = *scan.odom_T_base * scan.base_T_laser;
+  TrackedScan tracked = tracker.track(scan.scan, scan.stamp, odom_T_laser);
+  SlamStep step;
+  step.lost = tracked.lost;
+  step.searched = tracked.searched;
+  step.agreement = tracked.agreement;
+  step.is_keyframe = tracked.keyframe;
+  if (tracked.keyframe) {
+    const KeyframeId id = add_keyframe(scan, tracked);
+    tracked.keyframe_T_laser.pose = Pose2();
+    link_with_neighbors(id);
+    if (!link_with_nearby(id)) close_loops(id);
+    enter(SlamStage::kOptimization);
+    step.optimized = graph.optimize_if_due();
+  }
+  enter(SlamStage::kIdle);
+  if (new_drive) {
+    step.map_T_base = scan.odom_T_base.value_or(Pose2());
+    return step;
+  }
+  step.keyframe = KeyframeId{graph.poses().size() - 1};
+  step.keyframe_T_base = tracked.keyframe_T_laser.pose * scan.base_T_laser.inverse();
+  step.map_T_base = graph.poses().back() * step.keyframe_T_base;
+  step.anchored = graph.is_mapped(*step.keyframe);
+  return step;
+}
+
+KeyframeId FeatureSlam::Impl::add_keyframe(const SlamScan& scan, const TrackedScan& tracked) {
+  enter(SlamStage::kKeyframe);
+  tracker.keep(scan.scan);
+  KeyframeRecord record;
+  record.stamp = scan.stamp;
+  record.odom_T_laser = tracked.track_T_laser;
+  record.base_T_laser = scan.base_T_laser;
+  record.scan = scan.scan;
+  const bool all_around = scan.scan.closed;
+  memory.add(std::move(record));
+  if (!new_drive) return graph.add_step(tracked.keyframe_T_laser, !tracked.lost, all_around);
+  new_drive = false;
+  // Without odometry the map begins with base_link, not with the laser.
+  const Pose2 first = scan.odom_T_base ? tracked.track_T_laser : scan.base_T_laser;
+  return graph.begin_drive(first, all_around);
+}
+
+void FeatureSlam::Impl::link_with_neighbors(KeyframeId id) {
+  enter(SlamStage::kLinks);
+  const std::vector<Pose2>& poses = graph.poses();
+  const std::size_t drive = memory.record(id).drive;
+  for (int back = 1; back <= params.graph.neighbors; ++back) {
+    if (id.value < static_cast<std::size_t>(back)) return;
+    const KeyframeId other{id.value - static_cast<std::size_t>(back)};
+    if (memory.record(other).drive != drive) return;
+    const Pose2 expected = poses[other.value].inverse() * poses[id.value];
+    const auto link =
+        link_scans(view(other), view(id), guess(expected, kNeighborDistance, kNeighborTurn),
+                   params.link, params.loops.agreement);
+    if (!link) continue;
+    graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kRegistration));
+  }
+}
+
+bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
+  bool found = false;
+  for (const KeyframeId other : graph.nearby(id)) {
+    const std::vector<Pose2>& poses = graph.poses();
+    const Pose2 expected = poses[other.value].inverse() * poses[id.value];
+    const auto link =
+        link_scans(view(other), view(id), guess(expected, kNearbyDistance, kNearbyTurn),
+                   params.link, params.loops.agreement);
+    if (!link) continue;
+    graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure));
+    closures.push_back({memory.record(id).stamp, id, other, link->target_T_source.pose,
+                        ClosureOrigin::kNearby, link->agreement, true, "accepted"});
+    found = true;
+  }
+  return found;
+}
+
+void FeatureSlam::Impl::close_loops(KeyframeId id) {
+  enter(SlamStage::kLoops);
+  const LoopDetection detection = memory.detect(id);
+  const LoopCandidate* best = detection.accepted();
+  if (best == nullptr) {
+    if (detection.candidates.empty() || detection.candidates.front().scan_score <= 0.0) return;
+    const LoopCandidate& refused = detection.candidates.front();
+    closures.push_back({memory.record(id).stamp, id, refused.target, refused.target_T_source->pose,
+                        ClosureOrigin::kPlace, refused.score, false, name_of(refused.verdict)});
+    return;
+  }
+  SlamClosure closure{
+      memory.record(id).stamp, id,         best->target, best->target_T_source->pose,
+      ClosureOrigin::kPlace,   best->score};
+  const auto link = link_scans(view(best->target), view(id),
+                               guess(closure.target_T_source, kPlaceDistance, kPlaceTurn),
+                               params.link, params.loops.agreement);
+  if (!link) {
+    closure.verdict = "scans_do_not_agree";
+    closures.push_back(closure);
+    return;
+  }
+  closure.target_T_source = link->target_T_source.pose;
+  propose(closure, link->target_T_source);
+}
+
+void FeatureSlam::Impl::propose(SlamClosure closure, const PoseEstimate& target_T_source) {
+  proposed.push_back(closures.size());
+  closures.push_back(std::move(closure));
+  const SlamClosure& added = closures.back();
+  const auto verdicts = graph.propose(
+      constraint_between(added.target, added.source, target_T_source, ConstraintKind::kClosure));
+  for (const SlamGraph::Verdict& verdict : verdicts) {
+    SlamClosure& changed = closures[proposed[verdict.proposal]];
+    changed.accepted = verdict.accepted;
+    changed.verdict = verdict.reason;
+  }
+}
+
+SlamState FeatureSlam::Impl::state() const {
+  PoseGraph mapped = graph.graph();
+  std::sort(mapped.nodes.begin(), mapped.nodes.end(),
+            [](const GraphNode& a, const GraphNode& b) { return a.id < b.id; });
+  SlamState result;
+  std::vector<KeyframeId> renumbered(graph.poses().size());
+  for (GraphNode node : mapped.nodes) {
+    const KeyframeId id{result.keyframes.size()};
+    result.keyframes.push_back(memory.record(node.id));
+    renumbered[node.id.value] = id;
+    node.id = id;
+    result.graph.nodes.push_back(node);
+  }
+  for (GraphConstraint constraint : mapped.constraints) {
+    constraint.from = renumbered[constraint.from.value];
+    constraint.to = renumbered[constraint.to.value];
+    result.graph.constraints.push_back(constraint);
+  }
+  for (const KeyframeId id : mapped.fixed) result.graph.fixed.push_back(renumbered[id.value]);
+  return result;
+}
+
+}  // namespace falko_slam
