@@ -46,8 +46,11 @@ GridMap grid_of(const GrayImage& image, const MapDescription& description) {
   return map;
 }
 
-// As YAML wants a name that is more than letters.
+// Plain, as map_saver writes it, unless YAML needs quotes around it.
 std::string quoted(const std::string& name) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
+  if (name.front() != '-' && name.find_first_not_of(kPlain) == std::string::npos) return name;
   std::string text = "'";
   for (const char c : name) text += c == '\'' ? std::string("''") : std::string(1, c);
   return text + "'";
