@@ -32,6 +32,7 @@ std::vector<PosePair> pairs_of(const Trajectory& estimated, const Trajectory& tr
 
 Pose2 alignment_of(const std::vector<PosePair>& pairs) {
   std::vector<PointPair> points;
+  points.reserve(pairs.size());
   for (const PosePair& pair : pairs) {
     points.push_back({pair.truth_T_base.translation(), pair.map_T_base.translation(), 1.0});
   }

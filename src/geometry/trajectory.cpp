@@ -33,7 +33,7 @@ std::optional<Pose2> TrajectoryIndex::at(Time stamp) const {
 }
 
 std::optional<Pose2> TrajectoryIndex::interpolate(Time stamp, Duration max_gap) const {
-  if (const auto pose = at(stamp)) return pose;
+  if (auto pose = at(stamp)) return pose;
   const auto after =
       std::upper_bound(poses_.begin(), poses_.end(), StampedPose{stamp, {}}, earlier);
   if (after == poses_.begin() || after == poses_.end()) return std::nullopt;

@@ -120,7 +120,7 @@ void OccupancyGrid::add_to_tile(const TileIndex& index, const ScanFootprint& see
     for (std::int32_t column = first_column; column < end_column; ++column) {
       if (marks[column] == 0) continue;
       if (tile == nullptr) tile = &tile_at(index);
-      Cell& cell = (*tile)[static_cast<std::size_t>(row * kTileSide + column)];
+      Cell& cell = (*tile)[static_cast<std::size_t>(std::ptrdiff_t{row} * kTileSide + column)];
       const int before = cell == kNeverSeen ? 0 : cell;
       cell = static_cast<Cell>(std::clamp(before + change_[marks[column]], min_, max_));
     }

@@ -58,7 +58,7 @@ TEST_F(MapFile, IsWhatMapSaverWrites) {
   const GridMap map{2, 2, 0.05, {-1.5, 2.25, 0.0}, {0, 100, -1, 50}};
   write_map(folder_.file("floor.yaml"), map);
   EXPECT_EQ(read_whole_file(folder_.file("floor.yaml")),
-            "image: 'floor.pgm'\nresolution: 0.05\norigin: [-1.5, 2.25, 0]\nnegate: 0\n"
+            "image: floor.pgm\nresolution: 0.05\norigin: [-1.5, 2.25, 0]\nnegate: 0\n"
             "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
   EXPECT_EQ(read_whole_file(folder_.file("floor.pgm")),
             "P5\n# CREATOR: falko_slam 0.05 m/pix\n2 2\n255\n\xCD\xCD\xFE" + std::string(1, '\0'));
