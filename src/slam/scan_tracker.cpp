@@ -93,7 +93,7 @@ ScanTracker::Prediction ScanTracker::predict(Time stamp,
                             params_.odometry_turn + share * std::abs(driven.theta()));
     }
   }
-  return {step, last_->track_T_laser * step, last_->covariance + noise};
+  return {step, last_->track_T_laser * step, last_->covariance + noise, gap};
 }
 
 // Of the keyframe that shows most of the scan.
@@ -148,16 +148,26 @@ std::vector<Pose2> ScanTracker::other_starts(const LaserScan& scan, const Pose2&
   return starts;
 }
 
-// The start that fits best, if clearly better than the prediction's. What odometry says is no prior
-// any more.
+// The start that fits best: the farther from the prediction, the better it must fit. What odometry
+// says is no firm prior any more.
 ScanTracker::Fit ScanTracker::search(const LaserScan& scan, const ScanView& view,
                                      const Prediction& prediction, Fit best) {
-  constexpr double kClearly = 0.03;
-  constexpr double kDoubt = 0.01;  // of the prediction's information
+  constexpr double kDoubt = 0.01;    // of the prediction's information
+  constexpr double kClearly = 0.03;  // better, wherever it is
+  constexpr double kPerMeter = 0.4;  // and by this more for each metre and each radian
+  constexpr double kPerRadian = 0.4;
   const Eigen::Matrix3d doubtful = kDoubt * prediction.covariance.inverse();
+  double most = best.agreement + kClearly;
   for (const Pose2& start : other_starts(scan, prediction.step)) {
     const auto found = fit(view, start, doubtful);
-    if (found && found->agreement > best.agreement + kClearly) best = *found;
+    if (!found) continue;
+    const Pose2 move = prediction.pose.inverse() * found->pose;
+    const double worth = found->agreement - (kPerMeter * move.translation().norm() +
+                                             kPerRadian * std::abs(move.theta())) /
+                                                std::max(1.0, prediction.gap);
+    if (worth <= most) continue;
+    most = worth;
+    best = *found;
   }
   return best;
 }

@@ -92,6 +92,7 @@ class ScanTracker {
     Pose2 step;
     Pose2 pose;
     Eigen::Matrix3d covariance;
+    double gap;  // since the scan before [s]
   };
   struct Fit {
     Pose2 pose;
