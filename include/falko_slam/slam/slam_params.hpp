@@ -22,8 +22,8 @@ struct SlamGraphParams {
   double step_turn = 0.02;
   /// The graph is optimised at once if a closure shows that the map is off by more than this, else
   /// when so many keyframes have come since the last time. [0, 100] [m], [0, pi] [rad], [1, 1e6]
-  double urgent_distance = 0.05;
-  double urgent_turn = 0.01;
+  double urgent_distance = 0.10;
+  double urgent_turn = 0.03;
   int optimize_every = 50;
   /// A drive whose place in the map is not known is put there when two closures of different
   /// keyframes agree to this. [0.01, 100] [m], [0.01, pi] [rad]
