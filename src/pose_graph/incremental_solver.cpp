@@ -19,7 +19,8 @@ constexpr int kMaxGradients = 12;  // beyond, a new factorisation is cheaper
 constexpr double kNearEnough = 1e-5;
 constexpr double kRoughly = 1.0;
 constexpr double kStepLeaves = 1e-3;
-constexpr double kLeastPart = 0.1;  // of a step that must pay
+constexpr double kStepLeavesAtMost = 1e-3;  // more, and what is left bends soft stretches
+constexpr double kLeastPart = 0.1;          // of a step that must pay
 
 Eigen::Matrix3d frame_of(const Eigen::Vector3d& pose) {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
@@ -183,7 +184,7 @@ bool IncrementalSolver::conjugate_gradients(const Eigen::VectorXd& right, Eigen:
   Eigen::VectorXd left = right;
   Eigen::VectorXd direction = precondition(left);
   double distance = left.dot(direction);
-  const double enough = std::max(kStepLeaves * distance, 0.01 * kNearEnough);
+  const double enough = std::clamp(kStepLeaves * distance, 0.01 * kNearEnough, kStepLeavesAtMost);
   for (int i = 0; i < kMaxGradients; ++i) {
     if (!(distance > enough)) return std::isfinite(distance);
     const Eigen::VectorXd image = times_hessian(direction);
