@@ -33,11 +33,13 @@ LossValue evaluate_loss(Loss loss, double scale, double squared) {
       break;
     case Loss::kHuber:
       if (squared <= c2) break;
-      return {2.0 * scale * std::sqrt(squared) - c2, scale / std::sqrt(squared)};
+      return {2.0 * scale * std::sqrt(squared) - c2, scale / std::sqrt(squared),
+              -0.5 * scale / (squared * std::sqrt(squared))};
     case Loss::kCauchy:
-      return {c2 * std::log1p(squared / c2), c2 / (c2 + squared)};
+      return {c2 * std::log1p(squared / c2), c2 / (c2 + squared),
+              -c2 / ((c2 + squared) * (c2 + squared))};
   }
-  return {squared, 1.0};
+  return {squared, 1.0, 0.0};
 }
 
 GraphCost evaluate_cost(const GraphProblem& problem, const OptimizerParams& params) {

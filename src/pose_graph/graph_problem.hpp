@@ -28,9 +28,9 @@ struct GraphProblem {
   std::vector<bool> anchored() const;
 };
 
-/// rho(s) and rho'(s) of a squared residual.
+/// rho(s), rho'(s) and rho''(s) of a squared residual.
 struct LossValue {
-  double cost, slope;
+  double cost, slope, curvature;
 };
 LossValue evaluate_loss(Loss loss, double scale, double squared);
 

@@ -13,11 +13,14 @@ namespace falko_slam {
 namespace {
 
 constexpr int kMaxSteps = 20;
-constexpr int kMaxGradients = 40;  // beyond, a new factorisation is cheaper
+constexpr int kMaxGradients = 12;  // beyond, a new factorisation is cheaper
 // The squared distance to the optimum in standard deviations, g^T H^-1 g, of which no node is
 // further off than that: enough, and how much less than before a step must leave.
-constexpr double kNearEnough = 1e-6;
-constexpr double kStepLeaves = 1e-4;
+constexpr double kNearEnough = 1e-5;
+constexpr double kRoughly = 1.0;
+constexpr double kStepLeaves = 1e-3;
+constexpr double kStepLeavesAtMost = 1e-3;  // more, and what is left bends soft stretches
+constexpr double kLeastPart = 0.1;          // of a step that must pay
 
 Eigen::Matrix3d frame_of(const Eigen::Vector3d& pose) {
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
@@ -33,6 +36,24 @@ auto block(const Eigen::VectorXd& x, std::size_t node) {
   return x.segment<3>(3 * static_cast<Eigen::Index>(node));
 }
 
+// Whitens for the loss and returns it. The row's J^T r becomes rho' J^T r and its J^T J becomes
+// J^T (rho' + 2 rho'' r r^T) J (\cite triggs2000, Eq. (11)), kept positive.
+template <class Row>
+double soften(Row& row, const OptimizerParams& params) {
+  constexpr double kLeast = 0.25;
+  const double squared = row.residual.squaredNorm();
+  const LossValue loss = evaluate_loss(params.closure_loss, params.loss_scale, squared);
+  const double along =
+      std::sqrt(std::max(kLeast, 1.0 + 2.0 * loss.curvature * squared / loss.slope));
+  Eigen::Matrix3d whitening = Eigen::Matrix3d::Identity();
+  if (along < 1.0) whitening -= (1.0 - along) / squared * row.residual * row.residual.transpose();
+  whitening *= std::sqrt(loss.slope);
+  row.dfrom = whitening * row.dfrom;
+  row.dto = whitening * row.dto;
+  row.residual *= std::sqrt(loss.slope) / along;
+  return loss.cost;
+}
+
 }  // namespace
 
 // Returns the cost.
@@ -46,12 +67,10 @@ double IncrementalSolver::linearize(const GraphProblem& problem, const Optimizer
   for (const GraphFactor& f : problem.factors) {
     if (!f.in_force) continue;
     const auto linear = f.factor.linearize(problem.poses[f.from], problem.poses[f.to]);
-    LossValue loss{linear.residual.squaredNorm(), 1.0};
-    if (f.robust) loss = evaluate_loss(params.closure_loss, params.loss_scale, loss.cost);
-    const double weight = std::sqrt(loss.slope);
-    cost += loss.cost;
-    rows_.push_back({f.from, f.to, weight * linear.dfrom * frames[f.from],
-                     weight * linear.dto * frames[f.to], weight * linear.residual});
+    Row row{f.from, f.to, linear.dfrom * frames[f.from], linear.dto * frames[f.to],
+            linear.residual};
+    cost += f.robust ? soften(row, params) : row.residual.squaredNorm();
+    rows_.push_back(row);
   }
   return cost;
 }
@@ -165,7 +184,7 @@ bool IncrementalSolver::conjugate_gradients(const Eigen::VectorXd& right, Eigen:
   Eigen::VectorXd left = right;
   Eigen::VectorXd direction = precondition(left);
   double distance = left.dot(direction);
-  const double enough = std::max(kStepLeaves * distance, 0.1 * kNearEnough);
+  const double enough = std::clamp(kStepLeaves * distance, 0.01 * kNearEnough, kStepLeavesAtMost);
   for (int i = 0; i < kMaxGradients; ++i) {
     if (!(distance > enough)) return std::isfinite(distance);
     const Eigen::VectorXd image = times_hessian(direction);
@@ -188,7 +207,7 @@ bool IncrementalSolver::step(const Eigen::VectorXd& right, Eigen::VectorXd& x) {
 }
 
 bool IncrementalSolver::solve(GraphProblem& problem, const OptimizerParams& params,
-                              OptimizationSummary& summary) {
+                              OptimizationSummary& summary, bool roughly) {
   const std::vector<Eigen::Vector3d> start = problem.poses;
   anchored_ = problem.anchored();
   double cost = linearize(problem, params);
@@ -197,13 +216,18 @@ bool IncrementalSolver::solve(GraphProblem& problem, const OptimizerParams& para
     const Eigen::VectorXd right = -gradient();
     if (!step(right, x)) break;
     const double distance = right.dot(x);
-    for (std::size_t i = 0; i < problem.poses.size(); ++i) {
-      problem.poses[i] += frame_of(problem.poses[i]) * block(x, i);
-    }
     const double last = cost;
-    cost = linearize(problem, params);
-    if (!(cost <= last + 1e-9 * (1.0 + last))) break;
-    if (distance > kNearEnough) continue;
+    const std::vector<Eigen::Vector3d> before = problem.poses;
+    double part = 1.0;
+    for (; part >= kLeastPart; part *= 0.5) {
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        problem.poses[i] = before[i] + part * (frame_of(before[i]) * block(x, i));
+      }
+      cost = linearize(problem, params);
+      if (cost <= last + 1e-9 * (1.0 + last)) break;
+    }
+    if (part < kLeastPart) break;
+    if (distance > (roughly ? kRoughly : kNearEnough)) continue;
     ++summary.iterations;
     summary.converged = true;
     summary.message = "the steps have become small";

@@ -22,7 +22,9 @@ class IncrementalSolver {
  public:
   /// Moves the poses to the optimum next to them. False where it cannot, the poses as they were:
   /// a step that does not pay, a graph that is loose.
-  bool solve(GraphProblem& problem, const OptimizerParams& params, OptimizationSummary& summary);
+  /// Roughly: to within a standard deviation.
+  bool solve(GraphProblem& problem, const OptimizerParams& params, OptimizationSummary& summary,
+             bool roughly = false);
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;

@@ -22,7 +22,7 @@ LinearGraph::LinearGraph(const GraphProblem& problem, const OptimizerParams& par
     if (!f.in_force) continue;
     const auto [residual, dfrom, dto] =
         f.factor.linearize(problem.poses[f.from], problem.poses[f.to]);
-    LossValue loss{0.0, 1.0};
+    LossValue loss{0.0, 1.0, 0.0};
     if (f.robust) {
       loss = evaluate_loss(params.closure_loss, params.loss_scale, residual.squaredNorm());
     }

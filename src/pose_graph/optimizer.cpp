@@ -50,6 +50,32 @@ struct PoseGraphOptimizer::State {
   std::vector<GraphConstraint> constraints;  // of the factors with the same numbers
   GraphProblem problem;
   IncrementalSolver incremental;
+  std::size_t updated_factors = 0;  // how many there were in the last update
+
+  // A true closure after a long drive lies so far out on the tail of its loss that it hardly pulls.
+  // The new ones first pull without it. False if that was for nothing, the poses as they were.
+  bool update_with_loss_last(OptimizationSummary& summary) {
+    const double c2 = params.loss_scale * params.loss_scale;
+    std::vector<std::size_t> far;
+    for (std::size_t i = updated_factors; i < problem.factors.size(); ++i) {
+      const GraphFactor& f = problem.factors[i];
+      if (!f.robust || !f.in_force) continue;
+      const Eigen::Vector3d left = f.factor.residual(problem.poses[f.from], problem.poses[f.to]);
+      if (left.squaredNorm() > c2) far.push_back(i);
+    }
+    if (far.empty() || params.closure_loss == Loss::kNone) return false;
+    const std::vector<Eigen::Vector3d> start = problem.poses;
+    const double start_cost = evaluate_cost(problem, params).cost;
+    OptimizationSummary pulled;
+    for (const std::size_t i : far) problem.factors[i].robust = false;
+    const bool moved = incremental.solve(problem, params, pulled, true);
+    for (const std::size_t i : far) problem.factors[i].robust = true;
+    const bool better = moved && incremental.solve(problem, params, summary) &&
+                        evaluate_cost(problem, params).cost <= start_cost;
+    summary.iterations += pulled.iterations;
+    if (!better) problem.poses = start;
+    return better;
+  }
 
   template <class Solve>
   OptimizationSummary summarize(const Solve& solve) {
@@ -122,8 +148,10 @@ OptimizationSummary PoseGraphOptimizer::optimize() {
 
 OptimizationSummary PoseGraphOptimizer::update() {
   return state_->summarize([this](OptimizationSummary& summary) {
-    if (state_->incremental.solve(state_->problem, state_->params, summary)) return;
-    solve_with_ceres(state_->problem, state_->params, summary);
+    const bool updated = state_->update_with_loss_last(summary) ||
+                         state_->incremental.solve(state_->problem, state_->params, summary);
+    if (!updated) solve_with_ceres(state_->problem, state_->params, summary);
+    state_->updated_factors = state_->problem.factors.size();
   });
 }
 

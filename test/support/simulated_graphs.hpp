@@ -81,7 +81,8 @@ inline SimulatedGraph drive_grid(std::size_t nodes, const GraphNoise& noise,
       left_of_block = 4;
       direction = (direction + static_cast<int>(uniform(random, 0.0, 3.0)) + 3) % 4;
     }
-    while (!inside(x + dx(direction)) || !inside(y + dy(direction))) direction = (direction + 1) % 4;
+    while (!inside(x + dx(direction)) || !inside(y + dy(direction)))
+      direction = (direction + 1) % 4;
     x += dx(direction);
     y += dy(direction);
   }

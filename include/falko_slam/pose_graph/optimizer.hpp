@@ -65,7 +65,7 @@ class PoseGraphOptimizer {
 
   /// All nodes, from where they are, by Ceres.
   OptimizationSummary optimize();
-  /// The same optimum, within a thousandth of a standard deviation, for a graph that was optimised
+  /// The same optimum, within a hundredth of a standard deviation, for a graph that was optimised
   /// before and has grown a little: what costs time is kept from call to call. Calls optimize()
   /// where it finds that it must.
   OptimizationSummary update();

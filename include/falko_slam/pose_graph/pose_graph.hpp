@@ -32,8 +32,8 @@ enum class ConstraintKind {
 /// with i = `from`, j = `to`, z = `from_T_to`. `information` is the inverse of the covariance of e:
 /// x and y lie along the axes of the frame `to`, not of `from` as in a PoseEstimate.
 struct GraphConstraint {
-  KeyframeId from, to;
-  Pose2 from_T_to;
+  KeyframeId from{}, to{};
+  Pose2 from_T_to{};
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
   ConstraintKind kind = ConstraintKind::kOdometry;
 };
