@@ -3,11 +3,13 @@
 #include "falko_slam/common/whole_file.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -30,6 +32,36 @@ bool write_all(int file, const std::string& content) {
   return ::fsync(file) == 0;
 }
 
+// What processes that were killed while they wrote this file have left beside it.
+void remove_parts_of_the_dead(const std::string& path) {
+  const std::filesystem::path whole(path);
+  const std::string begin = whole.filename().string() + ".";
+  const std::string end = ".part";
+  std::error_code ignored;
+  const std::filesystem::path folder = whole.has_parent_path() ? whole.parent_path() : ".";
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() <= begin.size() + end.size() || name.compare(0, begin.size(), begin) != 0 ||
+        name.compare(name.size() - end.size(), end.size(), end) != 0) {
+      continue;
+    }
+    const std::string digits = name.substr(begin.size(), name.size() - begin.size() - end.size());
+    if (digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) continue;
+    const bool dead = ::kill(static_cast<pid_t>(std::stol(digits)), 0) != 0 && errno == ESRCH;
+    if (dead) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
+// A rename outlives a power failure only if the folder is written, too.
+void sync_folder_of(const std::string& path) {
+  const std::filesystem::path whole(path);
+  const std::string folder = whole.has_parent_path() ? whole.parent_path().string() : ".";
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
 }  // namespace
 
 void write_whole_file(const std::string& path, const std::string& content) {
@@ -39,7 +71,11 @@ void write_whole_file(const std::string& path, const std::string& content) {
   const bool written = write_all(file, content);
   const int reason = errno;
   const bool closed = ::close(file) == 0;
-  if (written && closed && std::rename(part.c_str(), path.c_str()) == 0) return;
+  if (written && closed && std::rename(part.c_str(), path.c_str()) == 0) {
+    sync_folder_of(path);
+    remove_parts_of_the_dead(path);
+    return;
+  }
   if (!written) errno = reason;
   const int last = errno;
   std::remove(part.c_str());

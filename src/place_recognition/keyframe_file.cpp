@@ -3,21 +3,18 @@
 #include "falko_slam/place_recognition/keyframe_file.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
-#include "falko_slam/common/bytes.hpp"
+#include "falko_slam/common/sealed_bytes.hpp"
 #include "falko_slam/common/whole_file.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
 namespace {
 
-const std::string kMagic = "FALKOKEY";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHead = 8 + sizeof(std::uint32_t);
-constexpr std::size_t kTail = sizeof(std::uint32_t);
+const FileKind kKind{"FALKOKEY", 1, "keyframes"};
 // Of a record without beams. A count is compared with what is left before memory is asked for.
 constexpr std::size_t kLeastRecord = 4 * 8 + 9 * 8 + 2 + 4;
 constexpr double kFarthest = 1e6;   // [m]
@@ -119,20 +116,10 @@ KeyframeRecord take_record(ByteReader& in, const std::vector<KeyframeRecord>& be
   return record;
 }
 
-bool holds_something_else(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file.is_open()) return false;
-  std::string begin(kMagic.size(), '\0');
-  file.read(&begin[0], static_cast<std::streamsize>(begin.size()));
-  return begin != kMagic;
-}
-
 }  // namespace
 
 std::string to_bytes(const std::vector<KeyframeRecord>& records) {
-  ByteWriter out;
-  out.text(kMagic);
-  out.u32(kVersion);
+  ByteWriter out = begin_sealed(kKind);
   out.u64(records.size());
   for (const KeyframeRecord& record : records) {
     out.i64(record.stamp.time_since_epoch().count());
@@ -141,20 +128,11 @@ std::string to_bytes(const std::vector<KeyframeRecord>& records) {
     put(out, record.base_T_laser);
     put(out, record.scan);
   }
-  out.u32(checksum(out.bytes(), out.bytes().size()));
-  return out.bytes();
+  return seal(std::move(out));
 }
 
 std::vector<KeyframeRecord> keyframes_from(const std::string& bytes) {
-  require(bytes.compare(0, kMagic.size(), kMagic) == 0, "no file of keyframes");
-  require(bytes.size() >= kHead + sizeof(std::uint64_t) + kTail, "ends too early");
-  const std::size_t tail = bytes.size() - kTail;
-  ByteReader in(bytes, kMagic.size(), tail);
-  const std::uint32_t version = in.u32();
-  require(version == kVersion,
-          "version " + std::to_string(version) + " is not known, only " + std::to_string(kVersion));
-  require(ByteReader(bytes, tail, bytes.size()).u32() == checksum(bytes, tail),
-          "damaged or cut short: the checksum does not fit");
+  ByteReader in = open_sealed(bytes, kKind);
   const std::uint64_t count = in.u64();
   require(count <= in.left() / kLeastRecord, "ends too early");
   std::vector<KeyframeRecord> records;
@@ -166,22 +144,19 @@ std::vector<KeyframeRecord> keyframes_from(const std::string& bytes) {
       throw std::runtime_error("keyframe " + std::to_string(i) + ": " + error.what());
     }
   }
-  require(in.left() == 0, "has " + std::to_string(in.left()) + " bytes too many");
+  require_end(in);
   return records;
 }
 
 void write_keyframe_file(const std::string& path, const std::vector<KeyframeRecord>& records) {
   if (records.empty()) throw std::runtime_error(path + ": there is no keyframe to save");
-  if (holds_something_else(path)) {
-    throw std::runtime_error(path + ": is there and no file of keyframes, not overwritten");
-  }
   const std::string bytes = to_bytes(records);
   try {
     keyframes_from(bytes);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": could not be read again, not written: " + error.what());
   }
-  write_whole_file(path, bytes);
+  write_sealed_file(path, bytes, kKind);
 }
 
 std::vector<KeyframeRecord> read_keyframe_file(const std::string& path) {

@@ -3,50 +3,22 @@
 #include "signature_file.hpp"
 
 #include <stdexcept>
+#include <utility>
 
-#include "falko_slam/common/bytes.hpp"
+#include "falko_slam/common/sealed_bytes.hpp"
 #include "falko_slam/common/whole_file.hpp"
 
 namespace falko_slam {
 namespace {
 
-const std::string kMagic = "FALKOSIG";
-constexpr std::uint32_t kVersion = 1;
+const FileKind kKind{"FALKOSIG", 1, "signatures"};
 
-}  // namespace
-
-void write_signature_file(const std::string& path, const SignatureBlock& block) {
-  ByteWriter out;
-  out.text(kMagic);
-  out.u32(kVersion);
-  out.u32(static_cast<std::uint32_t>(block.rows));
-  out.u32(static_cast<std::uint32_t>(block.columns));
-  out.u64(block.size());
-  for (std::size_t i = 0; i < block.size(); ++i) {
-    out.u64(block.ids[i].value);
-    out.text(std::string(block.cells_of(i), block.cells_of(i) + block.cell_count()));
-  }
-  out.u32(checksum(out.bytes(), out.bytes().size()));
-  write_whole_file(path, out.bytes());
-}
-
-SignatureBlock read_signature_file(const std::string& path) {
-  const std::string bytes = read_whole_file(path);
-  const auto require = [&](bool condition, const std::string& wrong) {
-    if (!condition) throw std::runtime_error(path + ": " + wrong);
+SignatureBlock block_from(const std::string& bytes) {
+  const auto require = [](bool condition, const char* wrong) {
+    if (!condition) throw std::runtime_error(wrong);
   };
-  require(bytes.compare(0, kMagic.size(), kMagic) == 0, "no file of signatures");
-  constexpr std::size_t kHead = 3 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
-  constexpr std::size_t kTail = sizeof(std::uint32_t);
-  require(bytes.size() >= kMagic.size() + kHead + kTail, "ends too early");
-  const std::size_t tail = bytes.size() - kTail;
-  ByteReader in(bytes, kMagic.size(), tail);
-  const std::uint32_t version = in.u32();
-  require(version == kVersion,
-          "version " + std::to_string(version) + " is not known, only " + std::to_string(kVersion));
-  require(ByteReader(bytes, tail, bytes.size()).u32() == checksum(bytes, tail),
-          "damaged: the checksum does not fit");
-
+  ByteReader in = open_sealed(bytes, kKind);
+  require(in.left() >= 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t), "ends too early");
   SignatureBlock block;
   Signature signature;
   signature.rows = block.rows = static_cast<int>(in.u32());
@@ -65,6 +37,28 @@ SignatureBlock read_signature_file(const std::string& path) {
     block.add(id, signature);
   }
   return block;
+}
+
+}  // namespace
+
+void write_signature_file(const std::string& path, const SignatureBlock& block) {
+  ByteWriter out = begin_sealed(kKind);
+  out.u32(static_cast<std::uint32_t>(block.rows));
+  out.u32(static_cast<std::uint32_t>(block.columns));
+  out.u64(block.size());
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    out.u64(block.ids[i].value);
+    out.text(std::string(block.cells_of(i), block.cells_of(i) + block.cell_count()));
+  }
+  write_sealed_file(path, seal(std::move(out)), kKind);
+}
+
+SignatureBlock read_signature_file(const std::string& path) {
+  try {
+    return block_from(read_whole_file(path));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
 }
 
 }  // namespace falko_slam

@@ -187,9 +187,15 @@ SlamState FeatureSlam::Impl::state() const {
             [](const GraphNode& a, const GraphNode& b) { return a.id < b.id; });
   SlamState result;
   std::vector<KeyframeId> renumbered(graph.poses().size());
+  std::vector<std::size_t> drives;  // as they were
+  std::size_t number = 0;           // of the drive now
   for (GraphNode node : mapped.nodes) {
     const KeyframeId id{result.keyframes.size()};
     result.keyframes.push_back(memory.record(node.id));
+    const std::size_t drive = result.keyframes.back().drive;
+    if (!drives.empty() && drives.back() != drive) ++number;
+    drives.push_back(drive);
+    result.keyframes.back().drive = number;
     renumbered[node.id.value] = id;
     node.id = id;
     result.graph.nodes.push_back(node);

@@ -43,7 +43,8 @@ KeyframeId SlamGraph::begin_drive(const Pose2& pose, bool all_around) {
   return id;
 }
 
-KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool /*tracked*/, bool all_around) {
+KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool /*tracked*/,
+                               bool all_around) {
   const KeyframeId last{poses_.size() - 1};
   const KeyframeId id{poses_.size()};
   const double way = last_T_keyframe.pose.translation().norm();
@@ -51,8 +52,7 @@ KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool /*track
   steps_.push_back(last_T_keyframe);
   steps_.back().covariance += diagonal(params_.step_distance, params_.step_turn);
   if (is_mapped(id)) select_step(id.value);
-  add(constraint_between(last, id, steps_.back(),
-                         ConstraintKind::kOdometry));
+  add(constraint_between(last, id, steps_.back(), ConstraintKind::kOdometry));
   ++since_optimized_;
   return id;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace falko_slam {
 
@@ -20,7 +21,8 @@ class ByteWriter {
   void f32(float value);
   void f64(double value);
 
-  const std::string& bytes() const { return bytes_; }
+  const std::string& bytes() const& { return bytes_; }
+  std::string bytes() && { return std::move(bytes_); }
 
  private:
   template <class Number>
