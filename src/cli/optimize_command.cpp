@@ -118,7 +118,7 @@ nlohmann::json as_json(const G2oFile& file, const Result& result) {
   return document;
 }
 
-// Keeps what is freed: asking the system for it again costs a third of the time of a solve.
+// Keeps what is freed: asking the system for it again was up to a third of the time of a solve.
 void keep_memory() {
 #ifdef __GLIBC__
   constexpr int kBytes = 1 << 30;
