@@ -1,5 +1,7 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <malloc.h>
+
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -116,7 +118,18 @@ nlohmann::json as_json(const G2oFile& file, const Result& result) {
   return document;
 }
 
+// Keeps what is freed: asking the system for it again was up to a third of the time of a solve.
+void keep_memory() {
+#ifdef __GLIBC__
+  constexpr int kBytes = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kBytes);
+  mallopt(M_TRIM_THRESHOLD, kBytes);
+  mallopt(M_TOP_PAD, 1 << 24);
+#endif
+}
+
 void optimize(OptimizeOptions options) {
+  keep_memory();
   const G2oFile file = read_g2o(options.in);
   if (!file.has_poses) {
     if (options.guess == Guess::kGiven) {

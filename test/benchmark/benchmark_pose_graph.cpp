@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Time of optimising pose graphs: recorded ones as a whole, from their start by the constraints,
-// and simulated ones of 10 000 nodes at a single closure, the graph having been kept up to date
-// until then.
+// which of their closures are consistent, and simulated ones of 10 000 nodes at a single closure,
+// the graph having been kept up to date until then.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "falko_slam/pose_graph/consistency.hpp"
 #include "falko_slam/pose_graph/g2o_file.hpp"
 #include "falko_slam/pose_graph/initial_guess.hpp"
 #include "falko_slam/pose_graph/optimizer.hpp"
@@ -27,14 +28,17 @@ OptimizerParams without_loss() {
   return params;
 }
 
-void optimize_recorded(benchmark::State& state, const char* name) {
+// Empty, and the benchmark skipped, where it is not there.
+PoseGraph recorded(benchmark::State& state, const char* name) {
   const char* folder = std::getenv("FALKO_SLAM_DATA");
   const std::string path = std::string(folder ? folder : ".") + "/pose_graphs/" + name + ".g2o.gz";
-  if (!std::ifstream(path)) {
-    state.SkipWithError((path + " is not there").c_str());
-    return;
-  }
-  const PoseGraph graph = read_g2o(path).graph;
+  if (std::ifstream(path)) return read_g2o(path).graph;
+  state.SkipWithError((path + " is not there").c_str());
+  return {};
+}
+
+void optimize_recorded(benchmark::State& state, const char* name) {
+  const PoseGraph graph = recorded(state, name);
   for (auto _ : state) {
     PoseGraphOptimizer optimizer(guess_poses(graph, Guess::kBetter).graph, without_loss());
     const OptimizationSummary summary = optimizer.optimize();
@@ -46,6 +50,55 @@ BENCHMARK_CAPTURE(optimize_recorded, intel, "intel")->Unit(benchmark::kMilliseco
 BENCHMARK_CAPTURE(optimize_recorded, mit, "mit")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(optimize_recorded, m3500, "m3500")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(optimize_recorded, csail, "csail")->Unit(benchmark::kMillisecond);
+
+// Beside the closures of a recorded graph a fifth as many false ones between random nodes, in the
+// order in which the vehicle would meet them. Counters: parts of the true and of the false ones
+// that are accepted, and of the true ones that are refused (the rest is pending).
+void select_recorded(benchmark::State& state, const char* name) {
+  PoseGraph graph = recorded(state, name);
+  auto random = test::seeded_random();
+  const auto last_node = static_cast<double>(graph.nodes.size()) - 1.0;
+  const auto node = [&] {
+    return graph.nodes[static_cast<std::size_t>(test::uniform(random, 0.0, last_node))].id;
+  };
+  std::vector<std::pair<GraphConstraint, bool>> marked;  // true: false ones
+  for (const GraphConstraint& constraint : graph.constraints) {
+    marked.emplace_back(constraint, false);
+    if (constraint.kind != ConstraintKind::kClosure) continue;
+    if (test::uniform(random, 0.0, 1.0) > 0.2) continue;
+    GraphConstraint wrong = constraint;
+    do {
+      wrong.from = node();
+      wrong.to = node();
+    } while (wrong.to.value < wrong.from.value + 10);
+    wrong.from_T_to = Pose2(test::uniform(random, -1.0, 1.0), test::uniform(random, -1.0, 1.0),
+                            test::uniform(random, -kPi, kPi));
+    marked.emplace_back(wrong, true);
+  }
+  std::stable_sort(marked.begin(), marked.end(), [](const auto& a, const auto& b) {
+    return std::max(a.first.from, a.first.to) < std::max(b.first.from, b.first.to);
+  });
+  graph.constraints.clear();
+  for (const auto& [constraint, is_false] : marked) graph.constraints.push_back(constraint);
+  std::vector<ClosureVerdict> verdicts;
+  for (auto _ : state) verdicts = select_closures(graph);
+  double true_ones = 0.0, false_ones = 0.0, found = 0.0, refused = 0.0, fooled = 0.0;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (marked[i].first.kind != ConstraintKind::kClosure) continue;
+    const bool accepted = verdicts[i] == ClosureVerdict::kAccepted;
+    ++(marked[i].second ? false_ones : true_ones);
+    if (accepted) ++(marked[i].second ? fooled : found);
+    if (!accepted && !marked[i].second && verdicts[i] != ClosureVerdict::kPending) ++refused;
+  }
+  state.counters["true_accepted"] = found / true_ones;
+  state.counters["true_refused"] = refused / true_ones;
+  state.counters["false"] = false_ones;
+  state.counters["false_accepted"] = fooled;
+}
+BENCHMARK_CAPTURE(select_recorded, intel, "intel")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(select_recorded, mit, "mit")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(select_recorded, m3500, "m3500")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(select_recorded, csail, "csail")->Unit(benchmark::kMillisecond);
 
 // Brings the graph to its optimum, then adds the rest of the drive; an iteration is the update at a
 // closure, `worst` the longest of them [ms].

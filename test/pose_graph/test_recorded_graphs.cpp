@@ -10,6 +10,7 @@
 #include "falko_slam/pose_graph/g2o_file.hpp"
 #include "falko_slam/pose_graph/initial_guess.hpp"
 #include "falko_slam/pose_graph/optimizer.hpp"
+#include "support/seeds.hpp"
 
 namespace falko_slam {
 namespace {
@@ -52,6 +53,30 @@ TEST_P(RecordedGraphs, ReachTheirOptimumFromTheEdgesAlone) {
 TEST_P(RecordedGraphs, ReachTheirOptimumFromTheBetterStart) {
   const G2oFile file = read_g2o(graph_file(GetParam().name));
   EXPECT_NEAR(optimum(guess_poses(file.graph, Guess::kBetter).graph), GetParam().chi2, 1e-3);
+}
+
+// The noise of m3500 is 0.15 of what its information states (chi2 138 of 5862): measured anew,
+// about its optimum, with three times that, and with what is stated.
+TEST(NoisyM3500, EndsNoHigherThanFromASpanningTree) {
+  const std::string path = graph_file("m3500");
+  if (!std::ifstream(path)) GTEST_SKIP() << path << " is not there: set FALKO_SLAM_DATA";
+  PoseGraphOptimizer optimizer(guess_poses(read_g2o(path).graph, Guess::kComputed).graph);
+  optimizer.optimize();
+  auto random = test::seeded_random();
+  for (int run = 0; run < 12; ++run) {
+    const double noise = run < 10 ? 0.46 : 1.0;
+    PoseGraph graph = optimizer.graph();
+    for (GraphConstraint& c : graph.constraints) {
+      const Eigen::Vector3d sigma = noise * c.information.diagonal().cwiseSqrt().cwiseInverse();
+      const Pose2 error(sigma.x() * test::normal(random, 1.0),
+                        sigma.y() * test::normal(random, 1.0),
+                        sigma.z() * test::normal(random, 1.0));
+      c.from_T_to = graph.nodes[c.from.value].map_T_node.inverse() *
+                    graph.nodes[c.to.value].map_T_node * error;
+    }
+    const double computed = optimum(guess_poses(graph, Guess::kComputed).graph);
+    EXPECT_LE(computed, optimum(guess_from_spanning_tree(graph)) * (1.0 + 1e-6)) << run;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Published, RecordedGraphs,
