@@ -10,43 +10,10 @@
 namespace falko_slam {
 namespace {
 
-// Neighbouring residuals are alike (they share beams and normals, walls are not straight): the
-// gradient is also summed over blocks of wall of this length, whose sums are independent. [m]
-constexpr double kBlock = 0.5;
-
 // A direction of which the noise of the normals may feign this share and more is not measured.
 constexpr double kFeignedShare = 0.5;
 
 }  // namespace
-
-void RegistrationEquations::add(const PointToLine& pair) {
-  if ((pair.position - block_begin_).squaredNorm() > kBlock * kBlock) {
-    end_block();
-    block_begin_ = pair.position;
-  }
-  const Eigen::Vector2d& n = pair.normal;
-  const Eigen::Vector2d& arm = pair.arm;
-  const double square = pair.residual * pair.residual;
-  const double weight =
-      loss_scale_ > 0.0 ? 1.0 / (1.0 + square / (loss_scale_ * loss_scale_)) : 1.0;
-  const Eigen::Vector3d across(n.x(), n.y(), n.y() * arm.x() - n.x() * arm.y());
-  const Eigen::Vector3d along(-n.y(), n.x(), n.x() * arm.x() + n.y() * arm.y());
-  const Eigen::Vector3d part = weight * pair.residual * across;
-  information_.noalias() += weight * across * across.transpose();
-  feigned_.noalias() += weight * pair.normal_gain * along * along.transpose();
-  gradient_ += part;
-  squares_ += weight * square;
-  weights_ += weight;
-  ++pairs_;
-  pair_scatter_.noalias() += part * part.transpose();
-  block_ += part;
-}
-
-void RegistrationEquations::end_block() {
-  block_scatter_.noalias() += block_ * block_.transpose();
-  block_.setZero();
-  block_begin_.setConstant(1e9);
-}
 
 double RegistrationEquations::mean_square() const { return squares_ / weights_; }
 
@@ -59,17 +26,18 @@ double RegistrationEquations::variance(double explained) const {
 // E[phi^2] (J_t^T J_t), which is feigned_ times the variance of a point. In the eigenvectors of
 // feigned_ relative to information_ both are diagonal, and each direction keeps its true share.
 MeasuredPose RegistrationEquations::measured(double weight, bool honest) const {
-  const Eigen::LLT<Eigen::Matrix3d> cholesky(information_);
+  const Eigen::Matrix3d information = information_.matrix();
+  const Eigen::LLT<Eigen::Matrix3d> cholesky(information);
   if (cholesky.info() != Eigen::Success) {
     const double scale = weight / variance(0.0);
-    return {scale * information_, scale * gradient_};
+    return {scale * information, scale * gradient_};
   }
   const Eigen::Matrix3d lower = cholesky.matrixL();
   const Eigen::Matrix3d inverse = cholesky.matrixL().solve(Eigen::Matrix3d::Identity().eval());
   const double noise = variance((inverse * gradient_).squaredNorm());
   const double scale = weight / noise;
-  if (!honest) return {scale * information_, scale * gradient_};
-  const Eigen::Matrix3d relative = noise * inverse * feigned_ * inverse.transpose();
+  if (!honest) return {scale * information, scale * gradient_};
+  const Eigen::Matrix3d relative = noise * inverse * feigned_.matrix() * inverse.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> shares;
   shares.computeDirect(relative);
   const Eigen::Vector3d kept = shares.eigenvalues().unaryExpr(
@@ -80,13 +48,13 @@ MeasuredPose RegistrationEquations::measured(double weight, bool honest) const {
 }
 
 double RegistrationEquations::design_effect(const Eigen::Matrix3d& inverse) const {
-  const double of_pairs = (inverse * pair_scatter_).trace();
-  const double of_blocks = (inverse * block_scatter_).trace();
+  const double of_pairs = (inverse * pair_scatter_.matrix()).trace();
+  const double of_blocks = (inverse * block_scatter_.matrix()).trace();
   return of_pairs > 0.0 ? std::max(1.0, of_blocks / of_pairs) : 1.0;
 }
 
 double RegistrationEquations::constraint() const {
-  const Eigen::Matrix2d scatter = information_.topLeftCorner<2, 2>();
+  const Eigen::Matrix2d scatter = information_.matrix().topLeftCorner<2, 2>();
   const double half_trace = 0.5 * scatter.trace();
   const double half_difference = 0.5 * (scatter(0, 0) - scatter(1, 1));
   return (half_trace - std::hypot(half_difference, scatter(0, 1))) / half_trace;
