@@ -101,7 +101,7 @@ KeyframeId FeatureSlam::Impl::add_keyframe(const SlamScan& scan, const TrackedSc
   record.scan = scan.scan;
   const bool all_around = scan.scan.closed;
   memory.add(std::move(record));
-  if (!new_drive) return graph.add_step(tracked.keyframe_T_laser, !tracked.lost, all_around);
+  if (!new_drive) return graph.add_step(tracked.keyframe_T_laser, all_around);
   new_drive = false;
   // Without odometry the map begins with base_link, not with the laser.
   const Pose2 first = scan.odom_T_base ? tracked.track_T_laser : scan.base_T_laser;

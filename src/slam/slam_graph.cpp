@@ -43,8 +43,7 @@ KeyframeId SlamGraph::begin_drive(const Pose2& pose, bool all_around) {
   return id;
 }
 
-KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool /*tracked*/,
-                               bool all_around) {
+KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool all_around) {
   const KeyframeId last{poses_.size() - 1};
   const KeyframeId id{poses_.size()};
   const double way = last_T_keyframe.pose.translation().norm();
@@ -60,24 +59,31 @@ KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool /*track
 void SlamGraph::add(const GraphConstraint& constraint) {
   Drive& drive = drive_of(constraint.to);
   if (drive.mapped) {
-    std::optional<std::size_t> number;
-    put_in_force(constraint, number);
+    put_in_force(constraint);
   } else {
     drive.waiting.push_back(constraint);
   }
   nearby_.connect(constraint.from, constraint.to, estimate_of(constraint).covariance);
 }
 
-void SlamGraph::put_in_force(const GraphConstraint& constraint,
-                             std::optional<std::size_t>& number) {
-  const Eigen::Vector3d residual =
-      residual_of(constraint, poses_[constraint.from.value], poses_[constraint.to.value]);
+// Whether a constraint that comes in shows that the map is off. In a corridor the way along it may
+// be far off without saying anything.
+bool SlamGraph::is_urgent(const GraphConstraint& constraint) const {
+  constexpr double kSignificant = 16.27;  // chi2 of three degrees of freedom, 99.9 %
+  const Pose2& from = poses_[constraint.from.value];
+  const Pose2& to = poses_[constraint.to.value];
+  const Eigen::Vector3d residual = residual_of(constraint, from, to);
+  const bool far = residual.head<2>().norm() > params_.urgent_distance ||
+                   std::abs(residual.z()) > params_.urgent_turn;
+  return far && chi2_of(constraint, from, to) > kSignificant;
+}
+
+std::size_t SlamGraph::put_in_force(const GraphConstraint& constraint) {
   if (constraint.kind == ConstraintKind::kClosure) {
     changed_ = true;
-    urgent_ = urgent_ || residual.head<2>().norm() > params_.urgent_distance ||
-              std::abs(residual.z()) > params_.urgent_turn;
+    urgent_ = urgent_ || is_urgent(constraint);
   }
-  number = optimizer_.add_constraint(constraint);
+  return optimizer_.add_constraint(constraint);
 }
 
 bool SlamGraph::optimize_if_due() {

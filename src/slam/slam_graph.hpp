@@ -25,8 +25,8 @@ class SlamGraph {
 
   /// The first keyframe of a drive: mapped if it is the first one of all.
   KeyframeId begin_drive(const Pose2& pose, bool all_around);
-  /// The next one, seen from the last; `tracked` by its scan, or else by odometry alone.
-  KeyframeId add_step(const PoseEstimate& last_T_keyframe, bool tracked, bool all_around);
+  /// The next one, seen from the last.
+  KeyframeId add_step(const PoseEstimate& last_T_keyframe, bool all_around);
 
   /// A measurement between keyframes that need no gate.
   void add(const GraphConstraint& constraint);
@@ -69,7 +69,8 @@ class SlamGraph {
 
   void append(const Pose2& pose, double path, bool all_around);
   Drive& drive_of(KeyframeId id) { return drives_[drive_of_[id.value]]; }
-  void put_in_force(const GraphConstraint& constraint, std::optional<std::size_t>& number);
+  bool is_urgent(const GraphConstraint& constraint) const;
+  std::size_t put_in_force(const GraphConstraint& constraint);  // its number
   void accept(std::size_t proposal);
   void refuse(std::size_t proposal);
   bool against_graph(const GraphConstraint& closure);

@@ -53,7 +53,7 @@ void SlamGraph::accept(std::size_t proposal) {
     return;
   }
   const GraphConstraint& constraint = accepted.constraint;
-  put_in_force(constraint, accepted.in_graph);
+  accepted.in_graph = put_in_force(constraint);
   nearby_.connect(constraint.from, constraint.to, estimate_of(constraint).covariance);
 }
 

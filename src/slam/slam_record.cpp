@@ -10,6 +10,7 @@ void SlamRecord::add(Time stamp, const SlamStep& step) {
   scans_.push_back({stamp, step.map_T_base, step.keyframe, step.keyframe_T_base});
   lost_ += step.lost ? 1U : 0U;
   searched_ += step.searched ? 1U : 0U;
+  optimizations_ += step.optimized ? 1U : 0U;
 }
 
 Trajectory SlamRecord::online() const {

@@ -23,10 +23,11 @@ class SlamRecord {
   Trajectory final(const FeatureSlam& slam) const;
 
   std::size_t scans() const { return scans_.size(); }
-  std::size_t lost() const { return lost_; }  ///< scans that fitted nowhere
-  std::size_t searched() const {
-    return searched_;
-  }  ///< scans for which odometry was no good start
+  /// Scans that fitted nowhere, and scans for which odometry was no good start.
+  std::size_t lost() const { return lost_; }
+  std::size_t searched() const { return searched_; }
+
+  std::size_t optimizations() const { return optimizations_; }  ///< of the graph, so far
 
  private:
   struct Scan {
@@ -38,6 +39,7 @@ class SlamRecord {
   std::vector<Scan> scans_;
   std::size_t lost_ = 0;
   std::size_t searched_ = 0;
+  std::size_t optimizations_ = 0;
 };
 
 /// The occupancy grid of all keyframes whose place in the map is known.
