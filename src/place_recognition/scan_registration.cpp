@@ -19,6 +19,10 @@ constexpr std::size_t kLeastPairs = 10;
 constexpr std::size_t kCoarsePoints = 80;  // are enough to come near
 constexpr double kCoarseStep = 1e-2;       // [m], [rad]
 constexpr double kSmallStep = 5e-4;
+// Smallest over largest pivot from which a direction is open; a prior closes it, however weak it is
+// beside what a long corridor says of the turn.
+constexpr double kOpen = 1e-6;
+constexpr double kOpenWithPrior = 1e-12;
 
 struct Pairing {
   double gate;         // [m]
@@ -87,7 +91,8 @@ std::optional<Registration> register_scan(const std::vector<PosedView>& target,
     const Eigen::Matrix3d information = measured.information + prior;
     const Eigen::LDLT<Eigen::Matrix3d> solver(information);
     const Eigen::Vector3d pivots = solver.vectorD();
-    if (!(pivots.minCoeff() > 1e-6 * pivots.maxCoeff())) return std::nullopt;
+    const double open = has_prior ? kOpenWithPrior : kOpen;
+    if (!(pivots.minCoeff() > open * pivots.maxCoeff())) return std::nullopt;
     const Eigen::Vector3d step =
         solver.solve(-measured.gradient - prior * difference(pose, initial));
     pose = Pose2(pose.translation() + step.head<2>(), pose.theta() + step.z());

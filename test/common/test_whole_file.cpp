@@ -3,6 +3,8 @@
 #include "falko_slam/common/whole_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <set>
 #include <stdexcept>
@@ -46,6 +48,25 @@ TEST(WholeFile, AFailureLeavesWhatWasThereAndNothingElse) {
   ASSERT_EQ(std::system(("mkdir " + folder.file("taken")).c_str()), 0);
   EXPECT_THROW(write_whole_file(folder.file("taken"), "new"), std::runtime_error);
   EXPECT_EQ(folder.names(), std::set<std::string>{"taken"});
+}
+
+TEST(WholeFile, RemovesWhatDeadProcessesHaveLeft) {
+  const pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
+  const test::TemporaryFolder folder;
+  const std::string part_of_the_dead = "." + std::to_string(dead) + ".part";
+  const std::string part_of_the_living = "." + std::to_string(::getppid()) + ".part";
+  const std::set<std::string> others = {
+      "file" + part_of_the_living, "other" + part_of_the_dead,        "file.12x.part", "file..part",
+      "file.99999999999.part",     "file" + part_of_the_dead + ".bak"};
+  for (const std::string& name : others) folder.write(name, "not mine");
+  folder.write("file" + part_of_the_dead, "half");
+  write_whole_file(folder.file("file"), "whole");
+  std::set<std::string> left = others;
+  left.insert("file");
+  EXPECT_EQ(folder.names(), left);
+  EXPECT_EQ(read_whole_file(folder.file("file")), "whole");
 }
 
 }  // namespace
