@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
+#include "falko_slam/pose_graph/g2o_file.hpp"
 #include "slam_report.hpp"
 
 namespace falko_slam {
@@ -37,6 +38,13 @@ std::vector<std::string> trajectories_in(const EvaluateSlamOptions& options) {
   return names;
 }
 
+std::optional<ClosureCheck> closures_in(const std::string& name) {
+  const std::filesystem::path folder(name);
+  const auto closures = folder / "closures.csv", graph = folder / "graph.g2o";
+  if (!std::filesystem::exists(closures) || !std::filesystem::exists(graph)) return std::nullopt;
+  return check_closures(closures.string(), read_g2o(graph.string()).graph);
+}
+
 // Runs an evaluation and puts the names of the two files in front of what went wrong.
 template <class Evaluation>
 auto naming(const std::string& path, const std::string& other, Evaluation evaluation) {
@@ -55,7 +63,7 @@ void evaluate_slam(const EvaluateSlamOptions& options) {
   Trajectory truth;
   if (!options.relations.empty()) relations = read_relations(options.relations);
   if (!options.truth.empty()) truth = read_tum(options.truth);
-  std::vector<SlamResult> results;
+  SlamEvaluation evaluation;
   for (const std::string& name : trajectories_in(options)) {
     const std::string path = (std::filesystem::path(options.folder) / name).string();
     const Trajectory trajectory = read_tum(path);
@@ -68,10 +76,11 @@ void evaluate_slam(const EvaluateSlamOptions& options) {
       result.truth = naming(path, options.truth,
                             [&] { return evaluate_trajectory(trajectory, truth, options.params); });
     }
-    results.push_back(std::move(result));
+    evaluation.trajectories.push_back(std::move(result));
   }
-  print_report(results);
-  if (!options.json.empty()) write_json(options.json, as_json(results));
+  evaluation.closures = closures_in(options.folder);
+  print_report(evaluation);
+  if (!options.json.empty()) write_json(options.json, as_json(evaluation));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ nlohmann::json json_of(const PoseErrors& errors) {
 }
 
 void print_row(const char* what, const char* unit, const ErrorSummary& summary) {
-  std::printf("  %-22s [%3s] %9.4f %9.4f %9.4f %9.4f %9.4f  %9.5f %9.5f %10.4f\n", what, unit,
+  std::printf("  %-26s [%3s] %9.4f %9.4f %9.4f %9.4f %9.4f  %9.5f %9.5f %10.4f\n", what, unit,
               summary.mean, summary.standard_deviation, summary.median, summary.max, summary.rms,
               summary.mean_square, summary.square_standard_deviation, summary.max_square);
 }
@@ -47,7 +47,7 @@ void print_errors(const std::string& what, const PoseErrors& errors) {
 
 void print_result(const SlamResult& result) {
   std::printf("%s: %zu poses\n", result.trajectory.c_str(), result.poses);
-  std::printf("  %-28s %9s %9s %9s %9s %9s  %9s %9s %10s\n", "error", "mean", "std", "median",
+  std::printf("  %-32s %9s %9s %9s %9s %9s  %9s %9s %10s\n", "error", "mean", "std", "median",
               "max", "rms", "square", "its std", "its max");
   if (result.relations) {
     print_errors("relative ", result.relations->errors);
@@ -64,13 +64,25 @@ void print_result(const SlamResult& result) {
 
 }  // namespace
 
-void print_report(const std::vector<SlamResult>& results) {
-  for (const SlamResult& result : results) print_result(result);
+void print_report(const SlamEvaluation& evaluation) {
+  for (const SlamResult& result : evaluation.trajectories) print_result(result);
+  if (!evaluation.closures) return;
+  const ClosureCheck& check = *evaluation.closures;
+  std::printf("closures.csv: %zu accepted, %zu refused\n", check.accepted, check.refused);
+  if (check.accepted == 0) return;
+  print_errors("off the poses, ", check.errors);
+  std::printf("  %zu of them by 0.5 m or 10 deg and more\n", check.far_off);
 }
 
-nlohmann::json as_json(const std::vector<SlamResult>& results) {
-  nlohmann::json document = nlohmann::json::array();
-  for (const SlamResult& result : results) {
+nlohmann::json as_json(const SlamEvaluation& evaluation) {
+  nlohmann::json document = {{"trajectories", nlohmann::json::array()}};
+  if (evaluation.closures) {
+    document["closures"] = json_of(evaluation.closures->errors);
+    document["closures"]["accepted"] = evaluation.closures->accepted;
+    document["closures"]["refused"] = evaluation.closures->refused;
+    document["closures"]["far_off"] = evaluation.closures->far_off;
+  }
+  for (const SlamResult& result : evaluation.trajectories) {
     nlohmann::json entry = {{"trajectory", result.trajectory}, {"poses", result.poses}};
     if (result.relations) {
       entry["relations"] = json_of(result.relations->errors);
@@ -83,7 +95,7 @@ nlohmann::json as_json(const std::vector<SlamResult>& results) {
                         {"compared", result.truth->absolute.translation.size()},
                         {"missing", result.truth->missing}};
     }
-    document.push_back(entry);
+    document["trajectories"].push_back(entry);
   }
   return document;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "falko_slam/evaluation/closure_check.hpp"
 #include "falko_slam/evaluation/relations.hpp"
 #include "falko_slam/evaluation/trajectory_error.hpp"
 
@@ -21,11 +22,17 @@ struct SlamResult {
   std::optional<TrajectoryErrors> truth;
 };
 
+/// What was measured of a folder that falko slam wrote; `closures` where it holds any.
+struct SlamEvaluation {
+  std::vector<SlamResult> trajectories;
+  std::optional<ClosureCheck> closures;
+};
+
 /// The tables as text on standard output; rotations in degrees.
-void print_report(const std::vector<SlamResult>& results);
+void print_report(const SlamEvaluation& evaluation);
 
 /// All figures; rotations in degrees.
-nlohmann::json as_json(const std::vector<SlamResult>& results);
+nlohmann::json as_json(const SlamEvaluation& evaluation);
 
 }  // namespace cli
 }  // namespace falko_slam

@@ -46,7 +46,7 @@ TEST_F(EvaluateSlamCommand, MeasuresBothTrajectories) {
   const auto result = evaluate({"--relations", relations_, "--truth", truth_, "--json", path});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_TRUE(result.says("2 relations compared, 1 left out")) << result.output;
-  const auto figures = nlohmann::json::parse(read_whole_file(path));
+  const auto figures = nlohmann::json::parse(read_whole_file(path)).at("trajectories");
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0]["trajectory"], "trajectory.tum");
   EXPECT_EQ(figures[0]["poses"], 5);
