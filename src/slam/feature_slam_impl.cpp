@@ -125,8 +125,9 @@ void FeatureSlam::Impl::link_with_neighbors(KeyframeId id) {
   }
 }
 
+// Whether a place of long ago is among them: then there is no need to search for one.
 bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
-  bool found = false;
+  bool revisited = false;
   for (const KeyframeId other : graph.nearby(id)) {
     const std::vector<Pose2>& poses = graph.poses();
     const Pose2 expected = poses[other.value].inverse() * poses[id.value];
@@ -137,9 +138,9 @@ bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
     graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure));
     closures.push_back({memory.record(id).stamp, id, other, link->target_T_source.pose,
                         ClosureOrigin::kNearby, link->agreement, true, "accepted"});
-    found = true;
+    revisited = revisited || graph.way_between(other, id) >= params.loops.min_path;
   }
-  return found;
+  return revisited;
 }
 
 void FeatureSlam::Impl::close_loops(KeyframeId id) {

@@ -42,6 +42,9 @@ class SlamGraph {
   /// Keyframes that are surely near, of the same connected part.
   std::vector<KeyframeId> nearby(KeyframeId source) { return nearby_.find(source, poses_); }
 
+  /// Length of the way from one keyframe to a later one [m]; very long between drives.
+  double way_between(KeyframeId a, KeyframeId b) const { return nearby_.path(b) - nearby_.path(a); }
+
   /// Optimises if a closure says that it is urgent, or if there is reason to and it was long ago.
   bool optimize_if_due();
   void optimize();
