@@ -12,7 +12,6 @@ namespace {
 // How well poses are known before scans are linked: the registration's prior. [m], [rad]
 constexpr double kNeighborDistance = 0.05;
 constexpr double kNeighborTurn = 0.03;
-constexpr double kNearbyDistance = 0.20;
 constexpr double kNearbyTurn = 0.10;
 constexpr double kPlaceDistance = 0.10;
 constexpr double kPlaceTurn = 0.05;
@@ -127,12 +126,12 @@ void FeatureSlam::Impl::link_with_neighbors(KeyframeId id) {
 
 bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
   bool found = false;
-  for (const KeyframeId other : graph.nearby(id)) {
+  for (const auto& [other, drift] : graph.nearby(id)) {
     const std::vector<Pose2>& poses = graph.poses();
     const Pose2 expected = poses[other.value].inverse() * poses[id.value];
-    const auto link =
-        link_scans(view(other), view(id), guess(expected, kNearbyDistance, kNearbyTurn),
-                   params.link, params.loops.agreement);
+    const auto link = link_scans(view(other), view(id),
+                                 guess(expected, std::max(kNeighborDistance, drift), kNearbyTurn),
+                                 params.link, params.loops.agreement);
     if (!link) continue;
     graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure));
     closures.push_back({memory.record(id).stamp, id, other, link->target_T_source.pose,

@@ -40,7 +40,7 @@ class SlamGraph {
   std::vector<Verdict> propose(const GraphConstraint& closure);
 
   /// Keyframes that are surely near, of the same connected part.
-  std::vector<KeyframeId> nearby(KeyframeId source) { return nearby_.find(source, poses_); }
+  std::vector<NearbyKeyframe> nearby(KeyframeId source) { return nearby_.find(source, poses_); }
 
   /// Optimises if a closure says that it is urgent, or if there is reason to and it was long ago.
   bool optimize_if_due();
