@@ -12,7 +12,6 @@ namespace {
 // How well poses are known before scans are linked: the registration's prior. [m], [rad]
 constexpr double kNeighborDistance = 0.05;
 constexpr double kNeighborTurn = 0.03;
-constexpr double kNearbyDistance = 0.20;
 constexpr double kNearbyTurn = 0.10;
 constexpr double kPlaceDistance = 0.10;
 constexpr double kPlaceTurn = 0.05;
@@ -57,15 +56,19 @@ FeatureSlam::Impl::Impl(const SlamParams& p, const SlamState& state)
 
 void FeatureSlam::Impl::begin_drive() {
   tracker.reset();
+  motion.reset();
   memory.begin_drive();
   new_drive = true;
 }
 
-SlamStep FeatureSlam::Impl::add(const SlamScan& scan) {
+SlamStep FeatureSlam::Impl::add(const SlamScan& taken) {
   enter(SlamStage::kTracking);
   std::optional<Pose2> odom_T_laser;
-  if (scan.odom_T_base) odom_T_laser = *scan.odom_T_base * scan.base_T_laser;
+  if (taken.odom_T_base) odom_T_laser = *taken.odom_T_base * taken.base_T_laser;
+  SlamScan scan = taken;
+  if (params.deskew) scan.scan = motion.apply(taken.scan, taken.stamp, odom_T_laser);
   TrackedScan tracked = tracker.track(scan.scan, scan.stamp, odom_T_laser);
+  motion.found(tracked.track_T_laser);
   SlamStep step;
   step.lost = tracked.lost;
   step.searched = tracked.searched;
@@ -128,12 +131,12 @@ void FeatureSlam::Impl::link_with_neighbors(KeyframeId id) {
 // Whether a place of long ago is among them: then there is no need to search for one.
 bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
   bool revisited = false;
-  for (const KeyframeId other : graph.nearby(id)) {
+  for (const auto& [other, drift] : graph.nearby(id)) {
     const std::vector<Pose2>& poses = graph.poses();
     const Pose2 expected = poses[other.value].inverse() * poses[id.value];
-    const auto link =
-        link_scans(view(other), view(id), guess(expected, kNearbyDistance, kNearbyTurn),
-                   params.link, params.loops.agreement);
+    const auto link = link_scans(view(other), view(id),
+                                 guess(expected, std::max(kNeighborDistance, drift), kNearbyTurn),
+                                 params.link, params.loops.agreement);
     if (!link) continue;
     graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure));
     closures.push_back({memory.record(id).stamp, id, other, link->target_T_source.pose,

@@ -90,8 +90,9 @@ std::vector<std::size_t> NearbyKeyframes::candidates(std::size_t source,
   return order;
 }
 
-std::vector<KeyframeId> NearbyKeyframes::find(KeyframeId source, const std::vector<Pose2>& poses) {
-  std::vector<KeyframeId> result;
+std::vector<NearbyKeyframe> NearbyKeyframes::find(KeyframeId source,
+                                                  const std::vector<Pose2>& poses) {
+  std::vector<NearbyKeyframe> result;
   const std::vector<std::size_t> near = candidates(source.value, poses);
   if (near.empty()) return result;
   std::size_t left = near.size();
@@ -101,10 +102,10 @@ std::vector<KeyframeId> NearbyKeyframes::find(KeyframeId source, const std::vect
               [&](std::size_t at, double) { return wanted[at] && --left == 0; });
   for (const std::size_t i : near) {
     if (nodes_[i].search != searches_ || !nodes_[i].settled) continue;
-    const bool beside = std::any_of(result.begin(), result.end(), [&](KeyframeId other) {
-      return std::abs(path(other) - nodes_[i].path) < params_.spacing;
+    const bool beside = std::any_of(result.begin(), result.end(), [&](const NearbyKeyframe& other) {
+      return std::abs(path(other.id) - nodes_[i].path) < params_.spacing;
     });
-    if (!beside) result.push_back({i});
+    if (!beside) result.push_back({{i}, std::sqrt(nodes_[i].variance)});
     if (result.size() >= static_cast<std::size_t>(params_.count)) break;
   }
   return result;

@@ -40,7 +40,7 @@ class SlamGraph {
   std::vector<Verdict> propose(const GraphConstraint& closure);
 
   /// Keyframes that are surely near, of the same connected part.
-  std::vector<KeyframeId> nearby(KeyframeId source) { return nearby_.find(source, poses_); }
+  std::vector<NearbyKeyframe> nearby(KeyframeId source) { return nearby_.find(source, poses_); }
 
   /// Length of the way from one keyframe to a later one [m]; very long between drives.
   double way_between(KeyframeId a, KeyframeId b) const { return nearby_.path(b) - nearby_.path(a); }

@@ -29,6 +29,12 @@ struct NearbyKeyframesParams {
 /// Throws std::invalid_argument with the field and its value.
 void validate(const NearbyKeyframesParams& params);
 
+/// A keyframe that is surely near another one.
+struct NearbyKeyframe {
+  KeyframeId id;
+  double drift = 0.0;  ///< standard deviation of where it is, seen from there: an upper bound [m]
+};
+
 /// Knows which keyframes are connected with which, and how well: finds those that a keyframe is
 /// surely near to, to be registered with it without any search. Not thread-safe.
 class NearbyKeyframes {
@@ -41,7 +47,7 @@ class NearbyKeyframes {
   void connect(KeyframeId a, KeyframeId b, const Eigen::Matrix3d& covariance);
 
   /// The nearest first. `poses` are those of all keyframes, in one frame where they are connected.
-  std::vector<KeyframeId> find(KeyframeId source, const std::vector<Pose2>& poses);
+  std::vector<NearbyKeyframe> find(KeyframeId source, const std::vector<Pose2>& poses);
   /// Standard deviation of where `target` is, seen from `source`, along the surest chain of
   /// measurements [m]: an upper bound. Empty if it is above `limit`.
   std::optional<double> drift(KeyframeId source, KeyframeId target, const std::vector<Pose2>& poses,

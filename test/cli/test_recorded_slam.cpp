@@ -1,0 +1,57 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// SLAM on real recordings against hand-checked relations.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "falko_slam/evaluation/error_summary.hpp"
+#include "falko_slam/evaluation/relations.hpp"
+#include "falko_slam/geometry/angles.hpp"
+#include "falko_slam/geometry/trajectory_file.hpp"
+#include "support/command.hpp"
+
+namespace falko_slam {
+namespace {
+
+struct Recording {
+  const char* name;
+  double translation;  // mean error, at most [m]
+  double rotation;     // [deg]
+};
+
+void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
+
+std::string carmen_folder() {
+  const char* folder = std::getenv("FALKO_SLAM_DATA");
+  return std::string(folder ? folder : FALKO_SLAM_SOURCE_DIR "/../shared/data") + "/carmen/";
+}
+
+class RecordedSlam : public ::testing::TestWithParam<Recording> {};
+
+TEST_P(RecordedSlam, IsAsGoodAsItWas) {
+  const Recording& expected = GetParam();
+  const std::string log = carmen_folder() + expected.name + ".clf.bz2";
+  const std::string truth = carmen_folder() + expected.name + ".relations.gz";
+  if (!std::ifstream(log) || !std::ifstream(truth)) {
+    GTEST_SKIP() << log << " or " << truth << " is not there: set FALKO_SLAM_DATA to the folder "
+                 << "that holds carmen/";
+  }
+  const test::TemporaryFolder folder;
+  const auto result = test::falko({"slam", log, "--out", folder.path()});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const RelationErrors found =
+      evaluate_relations(read_tum(folder.file("trajectory.tum")), read_relations(truth));
+  EXPECT_LE(summarise(found.errors.translation).mean, expected.translation);
+  EXPECT_LE(radians_to_degrees(summarise(found.errors.rotation).mean), expected.rotation);
+  EXPECT_EQ(found.missing, 0U);
+}
+INSTANTIATE_TEST_SUITE_P(Carmen, RecordedSlam,
+                         ::testing::Values(Recording{"intel", 0.030, 0.6},
+                                           Recording{"fr079", 0.045, 0.6}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace falko_slam
