@@ -36,7 +36,8 @@ class YamlPrinter {
 }  // namespace
 
 void add_parameters(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("parameters", "print parameters with their defaults, as YAML");
+  CLI::App* verb =
+      app.add_subcommand("parameters", "print parameters with their defaults, as YAML");
   auto what = std::make_shared<std::string>("features");
   verb->add_option("what", *what, "features (of the keypoint nodelet) or slam")
       ->check(CLI::IsMember({"features", "slam"}))
@@ -44,9 +45,11 @@ void add_parameters(CLI::App& app) {
   verb->callback([what] {
     YamlPrinter printer;
     if (*what == "slam") {
-      visit_slam_fields(SlamParams(), printer);
+      const SlamParams params;
+      visit_slam_fields(params, printer);
     } else {
-      visit_feature_extractor_fields(FeatureExtractorParams(), printer);
+      const FeatureExtractorParams params;
+      visit_feature_extractor_fields(params, printer);
     }
   });
 }
