@@ -82,7 +82,9 @@ void PoseGraphNodelet::on_transform_timer() {
 std::string PoseGraphNodelet::other_broadcaster() const {
   const std::string& child = params_.use_odometry ? params_.odom_frame : params_.base_frame;
   const auto source = source_of(input_->transforms(), child);
-  return source && source->broadcaster != ros::this_node::getName() ? source->broadcaster : "";
+  if (!source || source->broadcaster == ros::this_node::getName()) return "";
+  // Within one process nobody has a name: most likely it is ours.
+  return source->broadcaster == "unknown_publisher" ? "" : source->broadcaster;
 }
 
 void PoseGraphNodelet::on_second_timer() {

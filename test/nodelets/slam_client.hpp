@@ -47,9 +47,10 @@ class SlamClient {
   }
 
   std::string frame(const std::string& which) const { return name_ + "_" + which; }
-  bool connected() {
-    return spin_until([this] {
-      return scans_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 1 &&
+  /// `tf_listeners`: processes.
+  bool connected(std::uint32_t tf_listeners = 1) {
+    return spin_until([this, tf_listeners] {
+      return scans_.getNumSubscribers() > 0 && tf_.getNumSubscribers() >= tf_listeners &&
              heard_[0].getNumPublishers() > 0 && heard_[1].getNumPublishers() > 0;
     });
   }
@@ -81,6 +82,11 @@ class SlamClient {
   }
   void send_odometry(const Pose2& odom_T_base) {
     tf_.publish(to_transform(odom_T_base, from_ros(stamp), frame("odom"), frame("base")));
+  }
+  /// As if somebody else knew it.
+  void send_map_transform() {
+    tf_.publish(
+        to_transform({}, from_ros(stamp + ros::Duration(1.0)), frame("map"), frame("odom")));
   }
   void send(const sensor_msgs::LaserScan& scan) { scans_.publish(scan); }
 
