@@ -28,6 +28,7 @@ PoseGraphNodelet::~PoseGraphNodelet() {
   for (ros::ServiceServer& service : services_) service.shutdown();
   transform_timer_.stop();
   second_timer_.stop();
+  transforms_.shutdown();
   input_.reset();
   if (queue_) queue_->close();
   {
@@ -130,6 +131,13 @@ void PoseGraphNodelet::start_listening() {
   listener.placed = [this](SlamScan scan) { on_placed(std::move(scan)); };
   listener.time_has_jumped = [this](double seconds) { on_time_jump(seconds); };
   input_ = std::make_unique<ScanInput>(getNodeHandle(), params, listener);
+  if (!params_.publish_tf) return;
+  // The frame must have one broadcaster; tf2 does not tell who it is.
+  constexpr std::uint32_t kTransformQueue = 100;
+  transforms_ = getNodeHandle().subscribe<tf2_msgs::TFMessage>(
+      "/tf", kTransformQueue,
+      boost::function<void(const TransformEvent&)>(
+          [this](const TransformEvent& event) { on_transforms(event); }));
 }
 
 void PoseGraphNodelet::start_timers() {

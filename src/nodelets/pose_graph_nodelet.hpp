@@ -12,6 +12,7 @@
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <condition_variable>
@@ -62,6 +63,8 @@ class PoseGraphNodelet : public nodelet::Nodelet {
     bool everything = false;
   };
 
+  using TransformEvent = ros::MessageEvent<tf2_msgs::TFMessage const>;
+
   void onInit() override;
   void load_parameters();
   void load_first_state();
@@ -80,7 +83,7 @@ class PoseGraphNodelet : public nodelet::Nodelet {
   void on_second_timer();
   bool has_moved(const SlamScan& scan) const;
   void begin_drive(const std::string& reason);
-  std::string other_broadcaster() const;
+  void on_transforms(const TransformEvent& event);
 
   // The thread of SLAM.
   void work();
@@ -144,6 +147,7 @@ class PoseGraphNodelet : public nodelet::Nodelet {
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   std::unique_ptr<tf2_ros::TransformBroadcaster> broadcaster_;
   ros::Publisher pose_, map_, map_metadata_, path_, markers_, constraints_;
+  ros::Subscriber transforms_;
   ros::Timer transform_timer_;
   ros::WallTimer second_timer_;
   ros::CallbackQueue service_queue_;

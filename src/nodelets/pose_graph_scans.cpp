@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "falko_slam/ros_bridge/frame_source.hpp"
 #include "pose_graph_nodelet.hpp"
 
 namespace falko_slam {
@@ -79,26 +78,22 @@ void PoseGraphNodelet::on_transform_timer() {
   if (transform) broadcaster_->sendTransform(*transform);
 }
 
-std::string PoseGraphNodelet::other_broadcaster() const {
-  const std::string& child = params_.use_odometry ? params_.odom_frame : params_.base_frame;
-  const auto source = source_of(input_->transforms(), child);
-  if (!source || source->broadcaster == ros::this_node::getName()) return "";
-  // Within one process nobody has a name: most likely it is ours.
-  return source->broadcaster == "unknown_publisher" ? "" : source->broadcaster;
+void PoseGraphNodelet::on_transforms(const TransformEvent& event) {
+  const std::string& sender = event.getPublisherName();
+  if (sender == ros::this_node::getName()) return;  // of another nodelet beside us we cannot know
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  for (const geometry_msgs::TransformStamped& transform : event.getMessage()->transforms) {
+    if (tf_frame(transform.child_frame_id) != transform_->child_frame()) continue;
+    conflict_ = steady_now();
+    diagnostics_->warn("tf -> " + transform_->child_frame() + ": " + sender + " sends it, too");
+  }
 }
 
 void PoseGraphNodelet::on_second_timer() {
   input_->watch_time();
-  const std::string other = params_.publish_tf ? other_broadcaster() : "";
   {
     const std::lock_guard<std::mutex> lock(state_mutex_);
-    const double now = steady_now();
-    if (!other.empty()) {
-      conflict_ = now;
-      diagnostics_->warn("tf " + transform_->name() + ": " + other + " sends it, too");
-    } else if (now - conflict_ > kConflictShown) {
-      diagnostics_->warn("");
-    }
+    if (steady_now() - conflict_ > kConflictShown) diagnostics_->warn("");
   }
   updater_->force_update();
 }

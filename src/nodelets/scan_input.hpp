@@ -40,7 +40,6 @@ class ScanInput {
 
   /// To be called now and then, for times without scans.
   void watch_time();
-  const tf2::BufferCore& transforms() const { return buffer_; }
 
  private:
   using Message = sensor_msgs::LaserScanConstPtr;

@@ -480,7 +480,7 @@ TEST_P(LaunchedSlam, FollowsTheVehicle) {
   EXPECT_EQ(client.map_broadcasters.size(), 1U);
 
   client.send_map_transform();
-  EXPECT_TRUE(client.diagnosed("_map -> ", kWarn)) << client.status.message;
+  EXPECT_TRUE(client.diagnosed("sends it, too", kWarn)) << client.status.message;
   EXPECT_NE(client.status.message.find(ros::this_node::getName() + " sends it, too"),
             std::string::npos)
       << client.status.message;

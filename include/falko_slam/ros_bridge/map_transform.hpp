@@ -35,8 +35,7 @@ class MapTransform {
   /// Time has jumped back: stamps may, too.
   void rewind();
 
-  /// "map -> odom".
-  std::string name() const { return params_.map_frame + " -> " + params_.child_frame; }
+  const std::string& child_frame() const { return params_.child_frame; }
   /// To be sent at this time, if anything is.
   std::optional<geometry_msgs::TransformStamped> at(const ros::Time& now);
 
