@@ -1,9 +1,12 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
+#include <memory>
+#include <string>
 
 #include "commands.hpp"
 #include "falko_slam/features/feature_extractor_fields.hpp"
+#include "falko_slam/slam/slam_fields.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -33,11 +36,21 @@ class YamlPrinter {
 }  // namespace
 
 void add_parameters(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("parameters", "print all parameters with their defaults");
-  verb->callback([] {
+  CLI::App* verb =
+      app.add_subcommand("parameters", "print parameters with their defaults, as YAML");
+  auto what = std::make_shared<std::string>("features");
+  verb->add_option("what", *what, "features (of the keypoint nodelet) or slam")
+      ->check(CLI::IsMember({"features", "slam"}))
+      ->capture_default_str();
+  verb->callback([what] {
     YamlPrinter printer;
-    const FeatureExtractorParams params;
-    visit_feature_extractor_fields(params, printer);
+    if (*what == "slam") {
+      const SlamParams params;
+      visit_slam_fields(params, printer);
+    } else {
+      const FeatureExtractorParams params;
+      visit_feature_extractor_fields(params, printer);
+    }
   });
 }
 

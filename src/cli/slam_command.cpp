@@ -8,6 +8,8 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "falko_slam/ros_bridge/slam_node_params.hpp"
+#include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "slam_run.hpp"
 
 namespace falko_slam {
@@ -19,15 +21,29 @@ struct SlamOptions {
   std::string out;
   DriveRecordingParams reading;
   bool no_odometry = false;
+  bool upside_down = false;
+  std::string parameters;
   double outliers = 0.0;
   unsigned seed = 1;
-  SlamParams params;
 };
 
 void make_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+}
+
+SlamParams read_parameters(const SlamOptions& options) {
+  SlamParams params;
+  if (!options.parameters.empty()) {
+    std::vector<std::string> unknown;
+    params = read_slam_params(read_parameter_file(options.parameters), options.parameters, unknown);
+    for (const std::string& name : unknown) {
+      std::cerr << "parameter " << name << " is not known and has no effect\n";
+    }
+  }
+  params.scan.upside_down = params.scan.upside_down || options.upside_down;
+  return params;
 }
 
 void warn(const DriveRecordingReport& read, const SlamOptions& options) {
@@ -54,8 +70,9 @@ void print(const SlamRun& run, const DriveRecordingReport& read, const SlamOptio
 
 void slam(SlamOptions options) {
   options.reading.use_odometry = !options.no_odometry;
+  const SlamParams params = read_parameters(options);
   make_folder(options.out);
-  SlamRun run(options.params, options.outliers, options.seed);
+  SlamRun run(params, options.outliers, options.seed);
   DriveRecordingReport read;
   {
     Progress progress("scans");
@@ -87,8 +104,11 @@ void add_slam(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--base-frame", options->reading.base_frame, "of the vehicle")
       ->capture_default_str();
+  verb->add_option("--parameters", options->parameters,
+                   "YAML file with groups as in config/slam.yaml; what it leaves out keeps its "
+                   "default");
   verb->add_flag("--no-odometry", options->no_odometry, "registration of the scans alone");
-  verb->add_flag("--upside-down", options->params.scan.upside_down, "the laser hangs upside down");
+  verb->add_flag("--upside-down", options->upside_down, "the laser hangs upside down");
   verb->add_option("--inject-outliers", options->outliers,
                    "false closures proposed for each one accepted, to see what they do")
       ->check(number_in(0.0, 1.0));

@@ -2,31 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_closure_parameters.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
 
 #include "falko_slam/place_recognition/loop_closure_fields.hpp"
+#include "falko_slam/ros_bridge/file_folder.hpp"
 #include "falko_slam/ros_bridge/laser_pose.hpp"
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 
 namespace falko_slam {
-namespace {
-
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? value : "";
-}
-
-std::string expanded(const std::string& path) {
-  return path.compare(0, 2, "~/") == 0 ? environment("HOME") + path.substr(1) : path;
-}
-
-std::string default_folder() {
-  const std::string home = environment("ROS_HOME");
-  return (home.empty() ? environment("HOME") + "/.ros" : home) + "/falko_slam";
-}
-
-}  // namespace
 
 LoopClosureNodeParams read_loop_closure_parameters(const ros::NodeHandle& node,
                                                    std::vector<std::string>& unknown) {
@@ -45,11 +28,8 @@ LoopClosureNodeParams read_loop_closure_parameters(const ros::NodeHandle& node,
   if (params.odom_frame.empty()) {
     throw std::invalid_argument(node.getNamespace() + "/odom_frame is empty");
   }
-  params.folder = params.folder.empty() ? default_folder() : expanded(params.folder);
-  params.database = expanded(params.database);
-  if (!params.database.empty() && params.database.front() != '/') {
-    params.database = params.folder + "/" + params.database;
-  }
+  params.folder = params.folder.empty() ? default_file_folder() : with_home(params.folder);
+  params.database = path_in(params.folder, params.database);
   return params;
 }
 

@@ -77,6 +77,7 @@ bool FeatureSlam::is_mapped(KeyframeId id) const { return impl_->graph.is_mapped
 Pose2 FeatureSlam::map_T_laser(KeyframeId id) const { return impl_->graph.poses().at(id.value); }
 const KeyframeRecord& FeatureSlam::record(KeyframeId id) const { return impl_->memory.record(id); }
 const std::vector<SlamClosure>& FeatureSlam::closures() const { return impl_->closures; }
+PoseGraph FeatureSlam::graph() const { return impl_->graph.graph(); }
 SlamState FeatureSlam::state() const { return impl_->state(); }
 void FeatureSlam::on_stage(StageListener listener) { impl_->listener = std::move(listener); }
 const SlamParams& FeatureSlam::params() const { return impl_->params; }

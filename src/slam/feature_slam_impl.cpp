@@ -30,6 +30,12 @@ LoopClosureParams memory_params(const SlamParams& params) {
   return result;
 }
 
+Eigen::Matrix3d covariance_of_base(const Pose2& map_T_keyframe, const TrackedScan& tracked,
+                                   const Pose2& base_T_laser) {
+  const PoseEstimate map_T_laser = compose({map_T_keyframe}, tracked.keyframe_T_laser);
+  return compose(map_T_laser, {base_T_laser.inverse()}).covariance;
+}
+
 const SlamState& checked(const SlamState& state) {
   if (state.graph.nodes.size() != state.keyframes.size()) {
     throw std::invalid_argument("SLAM state: " + std::to_string(state.keyframes.size()) +
@@ -74,6 +80,8 @@ SlamStep FeatureSlam::Impl::add(const SlamScan& taken) {
   step.searched = tracked.searched;
   step.agreement = tracked.agreement;
   step.is_keyframe = tracked.keyframe;
+  const Pose2 map_T_last = graph.poses().empty() ? Pose2() : graph.poses().back();
+  step.covariance = covariance_of_base(map_T_last, tracked, scan.base_T_laser);
   if (tracked.keyframe) {
     const KeyframeId id = add_keyframe(scan, tracked);
     tracked.keyframe_T_laser.pose = Pose2();

@@ -3,20 +3,21 @@
 //
 // config/loop_closure.yaml against the structs it is of.
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <set>
 
 #include "falko_slam/place_recognition/loop_closure_fields.hpp"
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
+#include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "support/field_values.hpp"
-#include "support/yaml_parameters.hpp"
 
 namespace falko_slam {
 namespace {
 
-YAML::Node shipped_yaml() {
-  return YAML::LoadFile(FALKO_SLAM_SOURCE_DIR "/config/loop_closure.yaml");
-}
+constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/loop_closure.yaml";
+
+YAML::Node shipped_yaml() { return YAML::LoadFile(kShipped); }
 
 std::map<std::string, std::string> values_of(const LoopClosureParams& params) {
   test::FieldValues values;
@@ -25,7 +26,7 @@ std::map<std::string, std::string> values_of(const LoopClosureParams& params) {
 }
 
 TEST(ShippedLoopClosureYaml, HasNoNameThatNobodyReads) {
-  ParameterReader reader(test::parameters_from(shipped_yaml()), "~");
+  ParameterReader reader(read_parameter_file(kShipped), "~");
   LoopClosureParams params;
   visit_loop_closure_fields(params, reader);
   EXPECT_EQ(reader.unknown({"odom_frame", "base_frame", "folder", "database"}),
@@ -46,7 +47,7 @@ TEST(ShippedLoopClosureYaml, HasEveryField) {
 }
 
 TEST(ShippedLoopClosureYaml, HoldsTheDefaults) {
-  ParameterReader reader(test::parameters_from(shipped_yaml()), "~");
+  ParameterReader reader(read_parameter_file(kShipped), "~");
   LoopClosureParams params;
   test::FieldChanger changer;
   visit_loop_closure_fields(params, changer);

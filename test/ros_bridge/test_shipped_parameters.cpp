@@ -4,22 +4,23 @@
 // config/keypoint_detector.yaml and config/KeypointDetector.cfg against the structs they are of.
 #include <falko_slam/KeypointDetectorConfig.h>
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
 #include <set>
 
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/reconfigure.hpp"
+#include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "support/field_values.hpp"
-#include "support/yaml_parameters.hpp"
 
 namespace falko_slam {
 namespace {
 
 using Values = std::map<std::string, std::string>;
 
-YAML::Node shipped_yaml() {
-  return YAML::LoadFile(FALKO_SLAM_SOURCE_DIR "/config/keypoint_detector.yaml");
-}
+constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/keypoint_detector.yaml";
+
+YAML::Node shipped_yaml() { return YAML::LoadFile(kShipped); }
 
 std::set<std::string> names_of(const Values& values) {
   std::set<std::string> names;
@@ -34,7 +35,7 @@ dynamic_reconfigure::Config shipped_reconfiguration() {
 }
 
 TEST(ShippedYaml, HasNoNameThatNobodyReads) {
-  ParameterReader reader(test::parameters_from(shipped_yaml()), "~");
+  ParameterReader reader(read_parameter_file(kShipped), "~");
   FeatureExtractorParams params;
   visit_feature_extractor_fields(params, reader);
   EXPECT_EQ(reader.unknown(), (std::vector<std::string>{"~/base_frame"}));
@@ -55,7 +56,7 @@ TEST(ShippedYaml, HasEveryField) {
 }
 
 TEST(ShippedYaml, HoldsTheDefaults) {
-  ParameterReader reader(test::parameters_from(shipped_yaml()), "~");
+  ParameterReader reader(read_parameter_file(kShipped), "~");
   FeatureExtractorParams params;
   test::FieldChanger changer;
   visit_feature_extractor_fields(params, changer);

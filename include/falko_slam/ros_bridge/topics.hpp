@@ -15,14 +15,25 @@ constexpr char kFeatures[] = "features";               ///< falko_slam/FeatureAr
 constexpr char kFeatureMarkers[] = "feature_markers";  ///< visualization_msgs/MarkerArray
 constexpr char kKeypointCloud[] = "keypoint_cloud";    ///< sensor_msgs/PointCloud2
 
-constexpr char kKeyframes[] = "keyframes";       ///< falko_slam/KeyframeArray, latched
-constexpr char kConstraints[] = "constraints";   ///< falko_slam/LoopConstraintArray
-constexpr char kLoopMarkers[] = "loop_markers";  ///< visualization_msgs/MarkerArray, latched
+constexpr char kKeyframes[] = "keyframes";         ///< falko_slam/KeyframeArray, latched
+constexpr char kConstraints[] = "constraints";     ///< falko_slam/LoopConstraintArray
+constexpr char kLoopMarkers[] = "loop_markers";    ///< visualization_msgs/MarkerArray, latched
+constexpr char kPose[] = "pose";                   ///< geometry_msgs/PoseWithCovarianceStamped
+constexpr char kMap[] = "map";                     ///< nav_msgs/OccupancyGrid, latched
+constexpr char kMapMetadata[] = "map_metadata";    ///< nav_msgs/MapMetaData, latched
+constexpr char kPath[] = "path";                   ///< nav_msgs/Path, latched
+constexpr char kGraphMarkers[] = "graph_markers";  ///< visualization_msgs/MarkerArray
 
 // Services, in the node's private namespace.
 constexpr char kGlobalLocalization[] = "global_localization";  ///< falko_slam/GlobalLocalization
 constexpr char kSaveKeyframes[] = "save_keyframes";            ///< falko_slam/SaveKeyframes
 constexpr char kLoadKeyframes[] = "load_keyframes";            ///< falko_slam/LoadKeyframes
+constexpr char kDynamicMap[] = "dynamic_map";                  ///< nav_msgs/GetMap
+constexpr char kSaveMap[] = "save_map";                        ///< falko_slam/SaveMap
+constexpr char kSaveState[] = "save_state";                    ///< falko_slam/SaveState
+constexpr char kLoadState[] = "load_state";                    ///< falko_slam/LoadState
+constexpr char kPause[] = "pause";                             ///< std_srvs/SetBool
+constexpr char kReset[] = "reset";                             ///< std_srvs/Trigger
 
 }  // namespace topics
 }  // namespace falko_slam

@@ -50,6 +50,9 @@ struct SlamClosure {
 /// What a scan has done.
 struct SlamStep {
   Pose2 map_T_base;  ///< now; while not anchored in a frame of the drive's own
+  /// Of map_T_base's x, y [m] and theta [rad], seen from the newest keyframe before: by how much
+  /// the map itself may be off is not in it.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   /// The newest one of the drive; empty as long as no scan has shown anything.
   std::optional<KeyframeId> keyframe;
   Pose2 keyframe_T_base;     ///< for good: the graph moves keyframes only
@@ -111,6 +114,8 @@ class FeatureSlam {
   const KeyframeRecord& record(KeyframeId id) const;
   /// All so far, with their verdicts as of now.
   const std::vector<SlamClosure>& closures() const;
+  /// The poses of all that is mapped, and what is in force between them.
+  PoseGraph graph() const;
   /// What is mapped. Ids are renumbered, drives that are not anchored left out.
   SlamState state() const;
 
