@@ -80,7 +80,7 @@ void PoseGraphNodelet::load_first_state() {
   }
   share_new_scans();
   growing_map_ = GrowingMap(params_.slam.map);
-  queue_ = std::make_unique<InputQueue>(params_.queue_size);
+  queue_ = std::make_unique<InputQueue>(static_cast<std::size_t>(params_.queue_size));
   MapTransformParams transform;
   transform.map_frame = params_.map_frame;
   transform.child_frame = params_.use_odometry ? params_.odom_frame : params_.base_frame;
@@ -123,7 +123,6 @@ void PoseGraphNodelet::start_listening() {
   params.odom_frame = params_.odom_frame;
   params.base_frame = params_.base_frame;
   params.use_odometry = params_.use_odometry;
-  params.queue_size = static_cast<std::uint32_t>(params_.queue_size);
   params.scan = params_.slam.scan;
   ScanInput::Listener listener;
   listener.received = [this](const ScanReport& report) { on_received(report); };

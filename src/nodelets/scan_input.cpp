@@ -11,6 +11,9 @@
 namespace falko_slam {
 namespace {
 
+// Of scans that wait for transforms: the more, the later it is told that these are missing.
+constexpr std::uint32_t kWaiting = 20;
+constexpr std::uint32_t kScanQueue = 100;
 constexpr double kAftermath = 10.0;      // of a jump of time [s]
 constexpr double kClockTolerance = 1.0;  // time may step back by this [s]
 
@@ -38,14 +41,14 @@ void ScanInput::connect(ros::NodeHandle node) {
   buffer_.setUsingDedicatedThread(true);
   tf_ = std::make_unique<tf2_ros::TransformListener>(buffer_);
   if (params_.use_odometry) {
-    filter_ = std::make_unique<Filter>(buffer_, "", params_.queue_size, node);
+    filter_ = std::make_unique<Filter>(buffer_, "", kWaiting, node);
     filter_->setTargetFrames(poses_.frames());
     filter_->registerCallback(Callback([this](const Message& message) { on_placed(message); }));
     filter_->registerFailureCallback(
         [this](const Message& message, auto /*reason*/) { on_dropped(message); });
   }
   scans_.registerCallback(Callback([this](const Message& message) { on_received(message); }));
-  scans_.subscribe(node, topics::kScan, params_.queue_size);
+  scans_.subscribe(node, topics::kScan, kScanQueue);
 }
 
 void ScanInput::watch_time() {

@@ -22,7 +22,6 @@ struct ScanInputParams {
   std::string odom_frame = "odom";
   std::string base_frame = "base_link";
   bool use_odometry = true;
-  std::uint32_t queue_size = 50;
   ScanNormalizerParams scan;
 };
 

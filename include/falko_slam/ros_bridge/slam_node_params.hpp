@@ -23,7 +23,7 @@ struct SlamNodeParams {
   double transform_tolerance = 0.1;  ///< [0, 10] [s]
   double scan_timeout = 3.0;         ///< [0.01, 1e6] [s]
   TransformSlewParams slew;
-  int queue_size = 50;             ///< [10, 100000]
+  int queue_size = 200;            ///< [10, 100000]
   double map_update_period = 5.0;  ///< [0.1, 1e6] [s]
   std::string map_folder;
   std::string state;
