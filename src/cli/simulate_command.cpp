@@ -53,13 +53,15 @@ void simulate(SimulateOptions options) {
   Time stamp(std::chrono::seconds(1));
   bag.write_latched(topics::kTfStatic, stamp, to_transform({}, stamp, "base_link", "laser"));
   Progress progress("scans", path.size());
-  for (const Pose2& pose : path) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Pose2& pose = path[i];
+    const Pose2 way = pose.inverse() * path[(i + 1) % path.size()];
     nav_msgs::Odometry odometry;
     odometry.header.stamp = to_ros(stamp);
     odometry.header.frame_id = "odom";
     odometry.child_frame_id = "base_link";
     odometry.pose.pose = to_message(pose);
-    const auto ranges = simulate_ranges(scene, pose, options.laser, random);
+    const auto ranges = simulate_moving_ranges(scene, pose, way, options.laser, random);
     bag.write(topics::kTf, stamp, to_transform(pose, stamp, "odom", "base_link"));
     bag.write(topics::kOdometry, stamp, odometry);
     bag.write(topics::kScan, stamp, to_message(as_nav350(ranges, options, stamp), "laser"));

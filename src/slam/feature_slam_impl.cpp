@@ -56,15 +56,19 @@ FeatureSlam::Impl::Impl(const SlamParams& p, const SlamState& state)
 
 void FeatureSlam::Impl::begin_drive() {
   tracker.reset();
+  motion.reset();
   memory.begin_drive();
   new_drive = true;
 }
 
-SlamStep FeatureSlam::Impl::add(const SlamScan& scan) {
+SlamStep FeatureSlam::Impl::add(const SlamScan& taken) {
   enter(SlamStage::kTracking);
   std::optional<Pose2> odom_T_laser;
-  if (scan.odom_T_base) odom_T_laser = *scan.odom_T_base * scan.base_T_laser;
+  if (taken.odom_T_base) odom_T_laser = *taken.odom_T_base * taken.base_T_laser;
+  SlamScan scan = taken;
+  if (params.deskew) scan.scan = motion.apply(taken.scan, taken.stamp, odom_T_laser);
   TrackedScan tracked = tracker.track(scan.scan, scan.stamp, odom_T_laser);
+  motion.found(tracked.track_T_laser);
   SlamStep step;
   step.lost = tracked.lost;
   step.searched = tracked.searched;

@@ -6,6 +6,7 @@
 
 #include "falko_slam/place_recognition/keyframe_memory.hpp"
 #include "falko_slam/slam/feature_slam.hpp"
+#include "falko_slam/slam/motion_deskew.hpp"
 #include "slam_graph.hpp"
 
 namespace falko_slam {
@@ -15,6 +16,7 @@ struct FeatureSlam::Impl {
   Impl(const SlamParams& params, const SlamState& state);
 
   SlamParams params;
+  MotionDeskew motion;
   ScanTracker tracker;
   KeyframeMemory memory;
   SlamGraph graph;

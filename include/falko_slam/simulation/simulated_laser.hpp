@@ -24,4 +24,12 @@ struct SimulatedLaserParams {
 std::vector<float> simulate_ranges(const Scene& scene, const Pose2& world_T_laser,
                                    const SimulatedLaserParams& params, std::mt19937_64& random);
 
+/// The same of a laser that turns while it moves: the first beam is taken at `world_T_first`, the
+/// last one nearly `first_T_next` farther, where the next scan begins; velocity and turn are
+/// constant.
+std::vector<float> simulate_moving_ranges(const Scene& scene, const Pose2& world_T_first,
+                                          const Pose2& first_T_next,
+                                          const SimulatedLaserParams& params,
+                                          std::mt19937_64& random);
+
 }  // namespace falko_slam

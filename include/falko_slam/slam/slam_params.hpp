@@ -36,6 +36,8 @@ void validate(const SlamGraphParams& params);
 /// All that a SLAM is set up with: the same for every recording and vehicle.
 struct SlamParams {
   ScanNormalizerParams scan;
+  /// Scans that take time are freed of the motion under way, see MotionDeskew.
+  bool deskew = true;
   ScanTrackerParams tracker;
   ScanLinkParams link;
   NearbyKeyframesParams nearby;
