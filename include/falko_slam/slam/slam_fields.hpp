@@ -96,6 +96,7 @@ void visit_slam_fields(Params& params, Visitor& visitor) {
     visitor.end();
   };
   auto& keyframe = params.loops.keyframe;
+  visitor.field("deskew", params.deskew);
   group(
       "scan", [&](auto& p) { visit_scan_fields(p, visitor); }, params.scan);
   group(
