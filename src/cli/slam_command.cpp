@@ -104,9 +104,9 @@ void add_slam(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--base-frame", options->reading.base_frame, "of the vehicle")
       ->capture_default_str();
-  verb->add_option("--parameters", options->parameters,
-                   "YAML file with groups as in config/slam.yaml; what it leaves out keeps its "
-                   "default");
+  verb->add_option(
+      "--parameters", options->parameters,
+      "YAML file with groups as in config/slam.yaml; what it leaves out keeps its default");
   verb->add_flag("--no-odometry", options->no_odometry, "registration of the scans alone");
   verb->add_flag("--upside-down", options->upside_down, "the laser hangs upside down");
   verb->add_option("--inject-outliers", options->outliers,

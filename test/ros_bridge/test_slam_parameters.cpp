@@ -100,7 +100,8 @@ TEST(SlamNodeParams, AreRefusedWithTheirNameAndValue) {
   tree["map_frame"] = "map";
   tree["use_odometry"] = false;
   tree["base_frame"] = "";
-  EXPECT_EQ(complaint_of(tree), "/slam: base_frame is empty, and without odometry it is what tf to the map is of");
+  EXPECT_EQ(complaint_of(tree),
+            "/slam: base_frame is empty, and without odometry it is what tf to the map is of");
 }
 
 TEST(SlamFields, AreThoseOfTheCoreAndNotCopies) {

@@ -22,9 +22,10 @@ std::string complaint_of(const std::string& path) {
 
 TEST(ParameterFile, BecomesWhatRosparamWouldLoad) {
   const test::TemporaryFolder folder;
-  XmlRpcValue tree = read_parameter_file(folder.write(
-      "a.yaml", "flag: true\ncount: 3\nlength: 0.5\nname: hall\nquoted: \"3\"\ngroup: {a: 1}\n"
-                "empty: {}\nlist: [1, 2]\nnothing: \"\"\n"));
+  XmlRpcValue tree = read_parameter_file(
+      folder.write("a.yaml",
+                   "flag: true\ncount: 3\nlength: 0.5\nname: hall\nquoted: \"3\"\ngroup: {a: 1}\n"
+                   "empty: {}\nlist: [1, 2]\nnothing: \"\"\n"));
   EXPECT_TRUE(static_cast<bool>(tree["flag"]));
   EXPECT_EQ(static_cast<int>(tree["count"]), 3);
   EXPECT_EQ(static_cast<double>(tree["length"]), 0.5);
