@@ -42,6 +42,9 @@ class SlamGraph {
   /// Keyframes that are surely near, of the same connected part.
   std::vector<NearbyKeyframe> nearby(KeyframeId source) { return nearby_.find(source, poses_); }
 
+  /// See NearbyKeyframes::drifts().
+  std::vector<double> drifts(KeyframeId source) { return nearby_.drifts(source, poses_); }
+
   /// Optimises if a closure says that it is urgent, or if there is reason to and it was long ago.
   bool optimize_if_due();
   void optimize();
