@@ -46,7 +46,8 @@ KeyframeId LoopDetector::add(const LaserScan& scan, const Pose2& odom_T_laser) {
 
 void LoopDetector::begin_drive() { memory_->new_drive = !memory_->keyframes.empty(); }
 
-LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits) {
+LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits,
+                                   const PoseAdmission& possible) {
   const Keyframe& source = memory_->at(id);
   const auto admitted = [&](const Keyframe& target) {
     if (target.id == id) return false;
@@ -55,6 +56,8 @@ LoopDetection LoopDetector::detect(KeyframeId id, const Admission& admits) {
     return target.drive != source.drive || source.path - target.path >= memory_->params.min_path;
   };
   LoopDetection detection{memory_->match(source, admitted)};
+  memory_->possible = possible;
+  memory_->drop_impossible(detection.candidates);
   memory_->verify_first(source, detection.candidates);
   memory_->compare_first(source, detection.candidates);
   if (!detection.candidates.empty()) {

@@ -23,6 +23,7 @@ struct LoopDetector::Memory {
   std::vector<TwoPointTarget> targets;  // their points
   ScanOdometry odometry;
   bool new_drive = false;  // the next keyframe begins one
+  PoseAdmission possible;  // of the detection under way
 
   const Keyframe& at(KeyframeId id) const { return keyframes.at(id.value); }
 
@@ -41,6 +42,12 @@ struct LoopDetector::Memory {
   void ask_neighbors(const Keyframe& source, LoopCandidate& candidate) const;
   /// The first `compared` of those verified, as long as they can be better, and sorts.
   void compare_first(const Keyframe& source, std::vector<LoopCandidate>& candidates) const;
+
+  bool is_possible(const LoopCandidate& candidate) const {
+    return !possible || possible(at(candidate.target), candidate.target_T_source->pose);
+  }
+  /// Those that are matched at a pose that cannot be.
+  void drop_impossible(std::vector<LoopCandidate>& candidates) const;
 
   /// Do two candidates put the source at different places?
   bool contradict(const LoopCandidate& a, const LoopCandidate& b) const;

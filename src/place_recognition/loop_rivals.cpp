@@ -1,6 +1,7 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "falko_slam/geometry/angles.hpp"
@@ -45,10 +46,18 @@ bool LoopDetector::Memory::contradict(const LoopCandidate& a, const LoopCandidat
          std::abs(difference.theta()) > params.contradicting_turn + turn;
 }
 
+void LoopDetector::Memory::drop_impossible(std::vector<LoopCandidate>& candidates) const {
+  const auto impossible = [this](const LoopCandidate& candidate) {
+    return candidate.target_T_source && !is_possible(candidate);
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), impossible),
+                   candidates.end());
+}
+
 bool LoopDetector::Memory::rivals(const Keyframe& source, LoopCandidate other,
                                   const LoopCandidate& best) const {
   const double enough = params.ambiguity * best.score;
-  if (!contradict(best, other)) return false;
+  if (!is_possible(other) || !contradict(best, other)) return false;
   if (other.scan_score <= 0.0) {
     if (verify(source, other) != LoopVerdict::kLowScore) return false;
     if (!contradict(best, other)) return false;  // alignment may have moved it there

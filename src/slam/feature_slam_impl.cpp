@@ -13,6 +13,10 @@ namespace {
 constexpr double kNeighborDistance = 0.05;
 constexpr double kNeighborTurn = 0.03;
 constexpr double kNearbyTurn = 0.10;
+// A place farther from where the graph puts it than this, and than so many times what the graph may
+// have drifted, is another one. [m]
+constexpr double kLeastReach = 1.0;
+constexpr double kManyDrifts = 4.0;
 constexpr double kPlaceDistance = 0.10;
 constexpr double kPlaceTurn = 0.05;
 
@@ -156,7 +160,14 @@ bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
 
 void FeatureSlam::Impl::close_loops(KeyframeId id) {
   enter(SlamStage::kLoops);
-  const LoopDetection detection = memory.detect(id);
+  const std::vector<double> drifts = graph.drifts(id);
+  const std::vector<Pose2>& poses = graph.poses();
+  const auto possible = [&](const Keyframe& target, const Pose2& target_T_source) {
+    const Pose2 here = poses[target.id.value] * target_T_source;
+    return (here.translation() - poses[id.value].translation()).norm() <=
+           kLeastReach + kManyDrifts * drifts[target.id.value];
+  };
+  const LoopDetection detection = memory.detect(id, possible);
   const LoopCandidate* best = detection.accepted();
   if (best == nullptr) {
     if (detection.candidates.empty() || detection.candidates.front().scan_score <= 0.0) return;

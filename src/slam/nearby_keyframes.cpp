@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -118,6 +119,16 @@ std::optional<double> NearbyKeyframes::drift(KeyframeId source, KeyframeId targe
     if (at != target.value) return false;
     result = std::sqrt(variance);
     return true;
+  });
+  return result;
+}
+
+std::vector<double> NearbyKeyframes::drifts(KeyframeId source, const std::vector<Pose2>& poses) {
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  std::vector<double> result(nodes_.size(), kAnywhere);
+  search_from(source.value, poses, kAnywhere, [&](std::size_t at, double variance) {
+    result[at] = std::sqrt(variance);
+    return false;
   });
   return result;
 }

@@ -17,6 +17,9 @@ constexpr double kLongestGap = 1.0;
 // Registration and the laser itself are no better than this [m], [rad].
 constexpr double kLeastDistance = 0.005;
 constexpr double kLeastTurn = 0.001;
+// A fit that leaves much of the scan unexplained may be a wrong one by about this [m], [rad].
+constexpr double kDoubtfulDistance = 0.3;
+constexpr double kDoubtfulTurn = 0.2;
 
 RegistrationParams tracking_registration() {
   RegistrationParams params;
@@ -205,8 +208,11 @@ TrackedScan ScanTracker::track(const LaserScan& scan, Time stamp,
   if (result.lost) best = {prediction.pose, Eigen::Matrix3d::Zero(), best.agreement};
 
   const Pose2& keyframe = local_.back().track_T_laser;
-  const Eigen::Matrix3d covariance =
+  Eigen::Matrix3d covariance =
       (best.information + prior).inverse() + covariance_of(kLeastDistance, kLeastTurn);
+  if (best.agreement < params_.good_agreement) {
+    covariance += covariance_of(kDoubtfulDistance, kDoubtfulTurn);
+  }
   result.track_T_laser = best.pose;
   result.keyframe_T_laser.pose = keyframe.inverse() * best.pose;
   result.keyframe_T_laser.covariance = seen_from(covariance, keyframe.theta());

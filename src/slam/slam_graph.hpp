@@ -45,6 +45,9 @@ class SlamGraph {
   /// Length of the way from one keyframe to a later one [m]; very long between drives.
   double way_between(KeyframeId a, KeyframeId b) const { return nearby_.path(b) - nearby_.path(a); }
 
+  /// See NearbyKeyframes::drifts().
+  std::vector<double> drifts(KeyframeId source) { return nearby_.drifts(source, poses_); }
+
   /// Optimises if a closure says that it is urgent, or if there is reason to and it was long ago.
   bool optimize_if_due();
   void optimize();

@@ -67,6 +67,36 @@ TEST_F(LoopDrives, CloseWithEachOtherBeforeTheLeastWay) {
   EXPECT_GE(closed, 6U);
 }
 
+TEST_F(LoopDrives, DoNotCloseWhereThatIsNotPossible) {
+  LoopDetector detector = two_drives({100.0, -3.0, 2.0});
+  std::size_t asked = 0, closed = 0;
+  for (std::size_t source = length_; source < scans_.size(); source += 5) {
+    const LoopDetection free = detector.detect({source});
+    if (free.accepted() == nullptr) continue;
+    const Pose2 loop = detector.keyframes()[free.accepted()->target.value].mended_T_laser *
+                       free.accepted()->target_T_source->pose;
+    const auto distance = [&](const Keyframe& target, const Pose2& target_T_source) {
+      ++asked;
+      return ((target.mended_T_laser * target_T_source).translation() - loop.translation()).norm();
+    };
+    const auto far = [&](const Keyframe& target, const Pose2& pose) {
+      return target.drive > 0 || distance(target, pose) > 2.0;
+    };
+    const auto near = [&](const Keyframe& target, const Pose2& pose) {
+      return target.drive == 0 && distance(target, pose) < 2.0;
+    };
+    for (const LoopCandidate& candidate : detector.detect({source}, {}, far).candidates) {
+      if (candidate.verdict != LoopVerdict::kAccepted) continue;
+      const Keyframe& target = detector.keyframes()[candidate.target.value];
+      EXPECT_TRUE(far(target, candidate.target_T_source->pose)) << source;
+    }
+    closed += detector.detect({source}, {}, near).accepted() != nullptr ? 1U : 0U;
+    EXPECT_EQ(detector.detect({source}).accepted()->target, free.accepted()->target);
+  }
+  EXPECT_GE(closed, 3U);
+  EXPECT_GT(asked, 100U);
+}
+
 // Whatever looked across the seam, at poses or at the way, would tell where the odometry starts.
 TEST_F(LoopDrives, DoNotDependOnWhereTheirOdometriesStart) {
   LoopDetector here = two_drives({0.0, 0.0, 0.0});

@@ -129,11 +129,13 @@ TEST(NearbyKeyframes, DriftIsThatOfTheSurestChain) {
   NearbyKeyframes keyframes = town.keyframes({});
   for (std::size_t source = 0; source < town.poses.size(); source += 7) {
     const auto variance = town.variances(source);
+    const auto drifts = keyframes.drifts({source}, town.poses);
     for (std::size_t target = 0; target < town.poses.size(); ++target) {
       const double expected = std::sqrt(variance[target]);
       const auto within = keyframes.drift({source}, {target}, town.poses, expected + 1e-9);
       ASSERT_TRUE(within) << source << ", " << target;
       EXPECT_NEAR(*within, expected, 1e-9);
+      EXPECT_NEAR(drifts[target], expected, 1e-9);
       if (target != source) {
         EXPECT_FALSE(keyframes.drift({source}, {target}, town.poses, 0.99 * expected));
       }
@@ -147,6 +149,7 @@ TEST(NearbyKeyframes, AreNoneWithoutAConnection) {
   const std::vector<Pose2> poses(2);
   EXPECT_TRUE(keyframes.find({1}, poses).empty());
   EXPECT_FALSE(keyframes.drift({0}, {1}, poses, 10.0));
+  EXPECT_EQ(keyframes.drifts({0}, poses), (std::vector<double>{0.0, kFar}));
   keyframes.connect({0}, {1}, 1e-4 * Eigen::Matrix3d::Identity());
   ASSERT_EQ(keyframes.find({1}, poses).size(), 1U);
   EXPECT_EQ(keyframes.find({1}, poses)[0].id, KeyframeId{0});

@@ -39,7 +39,9 @@ class KeyframeMemory {
   std::size_t drive() const { return drive_; }
 
   /// The loops of a keyframe that has been added.
-  LoopDetection detect(KeyframeId id) { return detector_.detect(id); }
+  LoopDetection detect(KeyframeId id, const LoopDetector::PoseAdmission& possible = {}) {
+    return detector_.detect(id, {}, possible);
+  }
   /// See LoopDetector::locate().
   std::vector<LoopCandidate> locate(const LaserScan& scan, std::size_t count) {
     return detector_.locate(scan, count);

@@ -113,10 +113,14 @@ class LoopDetector {
   const std::vector<Keyframe>& keyframes() const;
 
   using Admission = std::function<bool(const Keyframe& target)>;
+  using PoseAdmission = std::function<bool(const Keyframe& target, const Pose2& target_T_source)>;
   /// Loops from a keyframe to those at least `min_path` back or of an earlier drive; if given, to
-  /// those that `admits` lets through, which may be later ones too. Throws std::out_of_range if
-  /// there is no such keyframe.
-  LoopDetection detect(KeyframeId source, const Admission& admits = {});
+  /// those that `admits` lets through, which may be later ones too. What `possible` does not let
+  /// through is neither a candidate nor a rival of one: who knows how far odometry may have drifted
+  /// need not mistake a place for one that is too far away. Throws std::out_of_range if there is no
+  /// such keyframe.
+  LoopDetection detect(KeyframeId source, const Admission& admits = {},
+                       const PoseAdmission& possible = {});
 
   /// Where among all keyframes a scan may have been taken, from this scan alone: at most `count`
   /// hypotheses, the best first, their `score` being the scan_score.

@@ -53,6 +53,9 @@ class NearbyKeyframes {
   std::optional<double> drift(KeyframeId source, KeyframeId target, const std::vector<Pose2>& poses,
                               double limit);
 
+  /// The same of all keyframes; infinite where nothing connects them.
+  std::vector<double> drifts(KeyframeId source, const std::vector<Pose2>& poses);
+
   double path(KeyframeId id) const { return nodes_[id.value].path; }
 
  private:
