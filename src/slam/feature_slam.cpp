@@ -62,9 +62,7 @@ SlamClosure FeatureSlam::propose(KeyframeId target, KeyframeId source,
 }
 
 void FeatureSlam::finish() {
-  impl_->enter(SlamStage::kOptimization);
-  if (keyframes() > 0) impl_->graph.optimize();
-  impl_->enter(SlamStage::kIdle);
+  if (keyframes() > 0) impl_->finish();
 }
 
 std::size_t FeatureSlam::keyframes() const { return impl_->graph.poses().size(); }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "feature_slam_impl.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -17,12 +19,21 @@ constexpr double kNearbyTurn = 0.10;
 // have drifted, is another one. [m]
 constexpr double kLeastReach = 1.0;
 constexpr double kManyDrifts = 4.0;
+// A place that is known no better than this in some direction closes no loop: in a corridor without
+// an end any stretch is as good as another. [m]
+constexpr double kLongestDeviation = 0.5;
 constexpr double kPlaceDistance = 0.10;
 constexpr double kPlaceTurn = 0.05;
 
 PoseEstimate guess(const Pose2& pose, double distance, double turn) {
   return {pose,
           Eigen::Vector3d(distance * distance, distance * distance, turn * turn).asDiagonal()};
+}
+
+// Standard deviation of the position in the direction in which it is least known [m].
+double longest_deviation(const PoseEstimate& estimate) {
+  const Eigen::Matrix2d place = estimate.covariance.topLeftCorner<2, 2>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(place).eigenvalues().y());
 }
 
 // The tracker has mended the steps already.
@@ -150,7 +161,11 @@ bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
                                  guess(expected, std::max(kNeighborDistance, drift), kNearbyTurn),
                                  params.link, params.loops.agreement);
     if (!link) continue;
-    graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure));
+    const GraphConstraint constraint =
+        constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure);
+    if (const auto number = graph.add(constraint)) {
+      nearby.push_back({closures.size(), *number, constraint});
+    }
     closures.push_back({memory.record(id).stamp, id, other, link->target_T_source.pose,
                         ClosureOrigin::kNearby, link->agreement, true, "accepted"});
     revisited = revisited || graph.way_between(other, id) >= params.loops.min_path;
@@ -188,6 +203,11 @@ void FeatureSlam::Impl::close_loops(KeyframeId id) {
     return;
   }
   closure.target_T_source = link->target_T_source.pose;
+  if (longest_deviation(link->target_T_source) > kLongestDeviation) {
+    closure.verdict = "leaves_a_direction_open";
+    closures.push_back(closure);
+    return;
+  }
   propose(closure, link->target_T_source);
 }
 
@@ -195,13 +215,33 @@ void FeatureSlam::Impl::propose(SlamClosure closure, const PoseEstimate& target_
   proposed.push_back(closures.size());
   closures.push_back(std::move(closure));
   const SlamClosure& added = closures.back();
-  const auto verdicts = graph.propose(
+  proposed_links.push_back(
       constraint_between(added.target, added.source, target_T_source, ConstraintKind::kClosure));
+  const auto verdicts = graph.propose(proposed_links.back());
   for (const SlamGraph::Verdict& verdict : verdicts) {
     SlamClosure& changed = closures[proposed[verdict.proposal]];
     changed.accepted = verdict.accepted;
     changed.verdict = verdict.reason;
   }
+}
+
+// The loss has made a false closure weak; that it is false can be told from the finished map.
+void FeatureSlam::Impl::finish() {
+  enter(SlamStage::kOptimization);
+  graph.optimize();
+  bool dropped = false;
+  const auto check = [&](std::size_t closure, std::size_t number, const GraphConstraint& link) {
+    if (!closures[closure].accepted || !graph.drop_if_contradicted(number, link)) return;
+    closures[closure].accepted = false;
+    closures[closure].verdict = "against_map";
+    dropped = true;
+  };
+  for (const InGraph& link : nearby) check(link.closure, link.number, link.constraint);
+  for (std::size_t i = 0; i < proposed.size(); ++i) {
+    if (const auto number = graph.number_of(i)) check(proposed[i], *number, proposed_links[i]);
+  }
+  if (dropped) graph.update();
+  enter(SlamStage::kIdle);
 }
 
 SlamState FeatureSlam::Impl::state() const {

@@ -22,12 +22,21 @@ struct FeatureSlam::Impl {
   SlamGraph graph;
   std::vector<SlamClosure> closures;
   std::vector<std::size_t> proposed;  // closures by the number of their proposal
-  bool new_drive = true;              // the next scan begins one
+  struct InGraph {
+    std::size_t closure;
+    std::size_t number;
+    GraphConstraint constraint;
+  };
+  std::vector<InGraph> nearby;                  // those that went into the graph without a gate
+  std::vector<GraphConstraint> proposed_links;  // by the number of their proposal
+  bool new_drive = true;                        // the next scan begins one
   StageListener listener;
 
   SlamStep add(const SlamScan& scan);
   void begin_drive();
   void propose(SlamClosure closure, const PoseEstimate& target_T_source);
+  /// Optimises all, and takes out what the map contradicts in the end.
+  void finish();
   SlamState state() const;
 
   void enter(SlamStage stage) const {

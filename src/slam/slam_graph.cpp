@@ -56,14 +56,12 @@ KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool all_aro
   return id;
 }
 
-void SlamGraph::add(const GraphConstraint& constraint) {
-  Drive& drive = drive_of(constraint.to);
-  if (drive.mapped) {
-    put_in_force(constraint);
-  } else {
-    drive.waiting.push_back(constraint);
-  }
+std::optional<std::size_t> SlamGraph::add(const GraphConstraint& constraint) {
   nearby_.connect(constraint.from, constraint.to, estimate_of(constraint).covariance);
+  Drive& drive = drive_of(constraint.to);
+  if (drive.mapped) return put_in_force(constraint);
+  drive.waiting.push_back(constraint);
+  return std::nullopt;
 }
 
 // Whether a constraint that comes in shows that the map is off. In a corridor the way along it may
@@ -87,11 +85,17 @@ std::size_t SlamGraph::put_in_force(const GraphConstraint& constraint) {
 }
 
 bool SlamGraph::optimize_if_due() {
-  const bool due = urgent_ || (changed_ && since_optimized_ >= params_.optimize_every);
+  constexpr int kBreath = 4;  // keyframes: closures come in rows, each telling much the same
+  const bool due = (urgent_ && since_optimized_ >= kBreath) ||
+                   (changed_ && since_optimized_ >= params_.optimize_every);
   if (!due) return false;
+  update();
+  return true;
+}
+
+void SlamGraph::update() {
   optimizer_.update();
   take_poses();
-  return true;
 }
 
 void SlamGraph::optimize() {

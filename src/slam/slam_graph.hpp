@@ -28,8 +28,9 @@ class SlamGraph {
   /// The next one, seen from the last.
   KeyframeId add_step(const PoseEstimate& last_T_keyframe, bool all_around);
 
-  /// A measurement between keyframes that need no gate.
-  void add(const GraphConstraint& constraint);
+  /// A measurement between keyframes that need no gate. Returns its number in the graph; none while
+  /// the drive waits for its place.
+  std::optional<std::size_t> add(const GraphConstraint& constraint);
 
   struct Verdict {
     std::size_t proposal;  // counted from 0 as they were made
@@ -50,7 +51,15 @@ class SlamGraph {
 
   /// Optimises if a closure says that it is urgent, or if there is reason to and it was long ago.
   bool optimize_if_due();
-  void optimize();
+  void update();    // from where it is near
+  void optimize();  // wherever it is
+
+  /// The number in the graph of a proposal that was accepted once.
+  std::optional<std::size_t> number_of(std::size_t proposal) const {
+    return proposals_[proposal].in_graph;
+  }
+  /// Takes a constraint out if the poses contradict it: far off, and farther than by chance.
+  bool drop_if_contradicted(std::size_t number, const GraphConstraint& constraint);
 
   const std::vector<Pose2>& poses() const { return poses_; }
   bool is_mapped(KeyframeId id) const { return drives_[drive_of_.at(id.value)].mapped; }

@@ -75,6 +75,20 @@ std::vector<SlamGraph::Verdict> SlamGraph::select(std::size_t proposal) {
   return verdicts;
 }
 
+bool SlamGraph::drop_if_contradicted(std::size_t number, const GraphConstraint& constraint) {
+  constexpr double kWrong = 0.3;                               // [m]
+  constexpr double kWronglyTurned = degrees_to_radians(10.0);  // [rad]
+  constexpr double kSignificant = 16.27;  // chi2 of three degrees of freedom, 99.9 %
+  const Pose2& from = poses_[constraint.from.value];
+  const Pose2& to = poses_[constraint.to.value];
+  const Eigen::Vector3d residual = residual_of(constraint, from, to);
+  const bool wrong =
+      residual.head<2>().norm() >= kWrong || std::abs(residual.z()) >= kWronglyTurned;
+  if (!wrong || chi2_of(constraint, from, to) <= kSignificant) return false;
+  optimizer_.set_in_force(number, false);
+  return true;
+}
+
 // Two closures of different keyframes that put a drive at the same place anchor it there.
 std::vector<SlamGraph::Verdict> SlamGraph::anchor_by(std::size_t proposal) {
   const GraphConstraint& closure = proposals_[proposal].constraint;
