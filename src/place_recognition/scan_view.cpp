@@ -65,12 +65,17 @@ std::size_t ScanView::beside(std::size_t beam, int direction, const ScanViewPara
 void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   SurfacePoint& here = all_[beam];
   if (here.length <= 0.0) return;
+  const Eigen::Vector2d next = all_[beside(beam, 1, params)].position;
+  const Eigen::Vector2d previous = all_[beside(beam, -1, params)].position;
+  const double length = 0.5 * (next - previous).norm();
+  if (length > 0.0) here.length = length;
+  if (!params.normals) return;
   const auto at_reach = [&](int direction) {
     std::size_t at = beam;
     for (std::size_t steps = 0; 2 * steps < all_.size(); ++steps) {
-      const std::size_t next = beside(at, direction, params);
-      if (next == at) break;
-      at = next;
+      const std::size_t joined = beside(at, direction, params);
+      if (joined == at) break;
+      at = joined;
       if ((all_[at].position - here.position).norm() >= params.normal_reach) break;
     }
     return all_[at].position;
@@ -81,10 +86,6 @@ void ScanView::measure_wall(std::size_t beam, const ScanViewParams& params) {
   // Both ends are off by as much; no normal is off by more than all directions are.
   here.normal_gain = 2.0 / (along.squaredNorm() + kShortChord * kShortChord);
   here.normal = normal.dot(here.position) > 0.0 ? Eigen::Vector2d(-normal) : normal;
-  const Eigen::Vector2d next = all_[beside(beam, 1, params)].position;
-  const Eigen::Vector2d previous = all_[beside(beam, -1, params)].position;
-  const double length = 0.5 * (next - previous).norm();
-  if (length > 0.0) here.length = length;
 }
 
 // A point is the mean of the beams within `spacing` of the first of them: to pick one of them by

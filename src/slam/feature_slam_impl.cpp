@@ -228,7 +228,7 @@ void FeatureSlam::Impl::propose(SlamClosure closure, const PoseEstimate& target_
 // The loss has made a false closure weak; that it is false can be told from the finished map.
 void FeatureSlam::Impl::finish() {
   enter(SlamStage::kOptimization);
-  graph.optimize();
+  graph.update();
   bool dropped = false;
   const auto check = [&](std::size_t closure, std::size_t number, const GraphConstraint& link) {
     if (!closures[closure].accepted || !graph.drop_if_contradicted(number, link)) return;

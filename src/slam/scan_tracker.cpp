@@ -74,7 +74,10 @@ ScanTracker::ScanTracker(const ScanTrackerParams& params, const KeyframeParams& 
     : params_((validate(params), params)),
       registration_(tracking_registration()),
       agreement_((validate(agreement), agreement)),
-      builder_(keyframe) {}
+      builder_(keyframe),
+      source_view_(keyframe.view) {
+  source_view_.normals = false;
+}
 
 void ScanTracker::reset() {
   local_.clear();
@@ -196,7 +199,7 @@ TrackedScan ScanTracker::track(const LaserScan& scan, Time stamp,
   if (local_.empty() || !last_) return begin(scan, stamp, odom_T_laser);
   const Prediction prediction = predict(stamp, odom_T_laser);
   const Eigen::Matrix3d prior = prediction.covariance.inverse();
-  const ScanView view(scan, builder_.params().view);
+  const ScanView view(scan, source_view_);
   Fit best{prediction.pose, Eigen::Matrix3d::Zero(), 0.0};
   if (const auto found = fit(view, prediction.pose, prior)) best = *found;
 

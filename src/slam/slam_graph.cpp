@@ -98,11 +98,6 @@ void SlamGraph::update() {
   take_poses();
 }
 
-void SlamGraph::optimize() {
-  optimizer_.optimize();
-  take_poses();
-}
-
 void SlamGraph::take_poses() {
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     if (is_mapped({i})) poses_[i] = optimizer_.pose({i});

@@ -51,8 +51,8 @@ class SlamGraph {
 
   /// Optimises if a closure says that it is urgent, or if there is reason to and it was long ago.
   bool optimize_if_due();
-  void update();    // from where it is near
-  void optimize();  // wherever it is
+  /// Optimises now.
+  void update();
 
   /// The number in the graph of a proposal that was accepted once.
   std::optional<std::size_t> number_of(std::size_t proposal) const {

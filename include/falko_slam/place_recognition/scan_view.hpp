@@ -31,6 +31,8 @@ struct ScanViewParams {
   /// Normals are taken over this length of wall to either side. [m]
   double normal_reach = 0.10;
   SurfaceStepParams surface;
+  /// Off: for scans that are registered with others, and never others with them. Saves time.
+  bool normals = true;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const ScanViewParams& params);

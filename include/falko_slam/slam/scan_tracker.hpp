@@ -113,6 +113,7 @@ class ScanTracker {
   RegistrationParams registration_;
   AgreementParams agreement_;
   KeyframeBuilder builder_;
+  ScanViewParams source_view_;  // of scans that are tracked
   TwoPointMatcher matcher_;
   std::deque<Local> local_;  // the newest at the end
   std::optional<Last> last_;
