@@ -54,7 +54,7 @@ void SlamRun::inject_outliers() {
         std::uniform_int_distribution<std::uint64_t>(0, closure.source.value - 1)(random_);
     PoseEstimate mistaken;
     mistaken.pose = Pose2(uniform(-kReach, kReach), uniform(-kReach, kReach), uniform(-kPi, kPi));
-    mistaken.covariance = Eigen::Vector3d(4e-4, 4e-4, 2.5e-5).asDiagonal();
+    mistaken.covariance = pose_covariance(0.02, 0.005);
     slam_.propose({target}, closure.source, mistaken);
   }
   seen_closures_ = slam_.closures().size();

@@ -13,6 +13,10 @@ Eigen::Vector2d drotated_dtheta(const Pose2& pose, const Eigen::Vector2d& point)
 
 }  // namespace
 
+Eigen::Matrix3d pose_covariance(double distance, double turn) {
+  return Eigen::Vector3d(distance * distance, distance * distance, turn * turn).asDiagonal();
+}
+
 ComposeJacobians compose_jacobians(const Pose2& a_T_b, const Pose2& b_T_c) {
   ComposeJacobians jacobians{Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity()};
   jacobians.dresult_dleft.topRightCorner<2, 1>() = drotated_dtheta(a_T_b, b_T_c.translation());

@@ -25,11 +25,6 @@ constexpr double kLongestDeviation = 0.5;
 constexpr double kPlaceDistance = 0.10;
 constexpr double kPlaceTurn = 0.05;
 
-PoseEstimate guess(const Pose2& pose, double distance, double turn) {
-  return {pose,
-          Eigen::Vector3d(distance * distance, distance * distance, turn * turn).asDiagonal()};
-}
-
 // Standard deviation of the position in the direction in which it is least known [m].
 double longest_deviation(const PoseEstimate& estimate) {
   const Eigen::Matrix2d place = estimate.covariance.topLeftCorner<2, 2>();
@@ -143,9 +138,9 @@ void FeatureSlam::Impl::link_with_neighbors(KeyframeId id) {
     const KeyframeId other{id.value - static_cast<std::size_t>(back)};
     if (memory.record(other).drive != drive) return;
     const Pose2 expected = poses[other.value].inverse() * poses[id.value];
-    const auto link =
-        link_scans(view(other), view(id), guess(expected, kNeighborDistance, kNeighborTurn),
-                   params.link, params.loops.agreement);
+    const auto link = link_scans(view(other), view(id),
+                                 {expected, pose_covariance(kNeighborDistance, kNeighborTurn)},
+                                 params.link, params.loops.agreement);
     if (!link) continue;
     graph.add(constraint_between(other, id, link->target_T_source, ConstraintKind::kRegistration));
   }
@@ -157,15 +152,13 @@ bool FeatureSlam::Impl::link_with_nearby(KeyframeId id) {
   for (const auto& [other, drift] : graph.nearby(id)) {
     const std::vector<Pose2>& poses = graph.poses();
     const Pose2 expected = poses[other.value].inverse() * poses[id.value];
-    const auto link = link_scans(view(other), view(id),
-                                 guess(expected, std::max(kNeighborDistance, drift), kNearbyTurn),
-                                 params.link, params.loops.agreement);
+    const auto link =
+        link_scans(view(other), view(id),
+                   {expected, pose_covariance(std::max(kNeighborDistance, drift), kNearbyTurn)},
+                   params.link, params.loops.agreement);
     if (!link) continue;
-    const GraphConstraint constraint =
-        constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure);
-    if (const auto number = graph.add(constraint)) {
-      nearby.push_back({closures.size(), *number, constraint});
-    }
+    graph.admit(constraint_between(other, id, link->target_T_source, ConstraintKind::kClosure));
+    proposed.push_back(closures.size());
     closures.push_back({memory.record(id).stamp, id, other, link->target_T_source.pose,
                         ClosureOrigin::kNearby, link->agreement, true, "accepted"});
     revisited = revisited || graph.way_between(other, id) >= params.loops.min_path;
@@ -194,9 +187,10 @@ void FeatureSlam::Impl::close_loops(KeyframeId id) {
   SlamClosure closure{
       memory.record(id).stamp, id,         best->target, best->target_T_source->pose,
       ClosureOrigin::kPlace,   best->score};
-  const auto link = link_scans(view(best->target), view(id),
-                               guess(closure.target_T_source, kPlaceDistance, kPlaceTurn),
-                               params.link, params.loops.agreement);
+  const auto link =
+      link_scans(view(best->target), view(id),
+                 {closure.target_T_source, pose_covariance(kPlaceDistance, kPlaceTurn)},
+                 params.link, params.loops.agreement);
   if (!link) {
     closure.verdict = "scans_do_not_agree";
     closures.push_back(closure);
@@ -215,9 +209,8 @@ void FeatureSlam::Impl::propose(SlamClosure closure, const PoseEstimate& target_
   proposed.push_back(closures.size());
   closures.push_back(std::move(closure));
   const SlamClosure& added = closures.back();
-  proposed_links.push_back(
+  const auto verdicts = graph.propose(
       constraint_between(added.target, added.source, target_T_source, ConstraintKind::kClosure));
-  const auto verdicts = graph.propose(proposed_links.back());
   for (const SlamGraph::Verdict& verdict : verdicts) {
     SlamClosure& changed = closures[proposed[verdict.proposal]];
     changed.accepted = verdict.accepted;
@@ -229,18 +222,12 @@ void FeatureSlam::Impl::propose(SlamClosure closure, const PoseEstimate& target_
 void FeatureSlam::Impl::finish() {
   enter(SlamStage::kOptimization);
   graph.update();
-  bool dropped = false;
-  const auto check = [&](std::size_t closure, std::size_t number, const GraphConstraint& link) {
-    if (!closures[closure].accepted || !graph.drop_if_contradicted(number, link)) return;
-    closures[closure].accepted = false;
-    closures[closure].verdict = "against_map";
-    dropped = true;
-  };
-  for (const InGraph& link : nearby) check(link.closure, link.number, link.constraint);
-  for (std::size_t i = 0; i < proposed.size(); ++i) {
-    if (const auto number = graph.number_of(i)) check(proposed[i], *number, proposed_links[i]);
+  const std::vector<std::size_t> dropped = graph.drop_contradicted();
+  for (const std::size_t proposal : dropped) {
+    closures[proposed[proposal]].accepted = false;
+    closures[proposed[proposal]].verdict = "against_map";
   }
-  if (dropped) graph.update();
+  if (!dropped.empty()) graph.update();
   enter(SlamStage::kIdle);
 }
 

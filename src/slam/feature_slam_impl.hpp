@@ -22,14 +22,7 @@ struct FeatureSlam::Impl {
   SlamGraph graph;
   std::vector<SlamClosure> closures;
   std::vector<std::size_t> proposed;  // closures by the number of their proposal
-  struct InGraph {
-    std::size_t closure;
-    std::size_t number;
-    GraphConstraint constraint;
-  };
-  std::vector<InGraph> nearby;                  // those that went into the graph without a gate
-  std::vector<GraphConstraint> proposed_links;  // by the number of their proposal
-  bool new_drive = true;                        // the next scan begins one
+  bool new_drive = true;              // the next scan begins one
   StageListener listener;
 
   SlamStep add(const SlamScan& scan);

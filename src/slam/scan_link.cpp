@@ -21,8 +21,7 @@ constexpr double kAnywhere = 10.0;
 Eigen::Matrix3d covariance_of(const Eigen::Matrix3d& information) {
   const Eigen::Matrix3d anywhere = Eigen::Matrix3d::Identity() / (kAnywhere * kAnywhere);
   Eigen::Matrix3d covariance = (information + anywhere).inverse();
-  covariance.diagonal() += Eigen::Vector3d(
-      kLeastDistance * kLeastDistance, kLeastDistance * kLeastDistance, kLeastTurn * kLeastTurn);
+  covariance += pose_covariance(kLeastDistance, kLeastTurn);
   return 0.5 * (covariance + covariance.transpose());
 }
 

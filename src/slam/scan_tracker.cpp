@@ -28,10 +28,6 @@ RegistrationParams tracking_registration() {
   return params;
 }
 
-Eigen::Matrix3d covariance_of(double distance, double turn) {
-  return Eigen::Vector3d(distance * distance, distance * distance, turn * turn).asDiagonal();
-}
-
 // The same covariance, its x and y along the axes of a frame that is turned by `angle`.
 Eigen::Matrix3d seen_from(const Eigen::Matrix3d& covariance, double angle) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -88,15 +84,15 @@ ScanTracker::Prediction ScanTracker::predict(Time stamp,
                                              const std::optional<Pose2>& odom_T_laser) const {
   const double gap = to_seconds(stamp - last_->stamp);
   Pose2 step = gap > 0.0 && gap < kLongestGap ? last_->step : Pose2();
-  Eigen::Matrix3d noise = covariance_of(params_.free_distance, params_.free_turn);
+  Eigen::Matrix3d noise = pose_covariance(params_.free_distance, params_.free_turn);
   if (odom_T_laser && last_->odom_T_laser) {
     const Pose2 driven = last_->odom_T_laser->inverse() * *odom_T_laser;
     const double way = driven.translation().norm();
     if (way <= params_.max_jump) {
       const double share = params_.odometry_share;
       step = driven;
-      noise = covariance_of(params_.odometry_distance + share * way,
-                            params_.odometry_turn + share * std::abs(driven.theta()));
+      noise = pose_covariance(params_.odometry_distance + share * way,
+                              params_.odometry_turn + share * std::abs(driven.theta()));
     }
   }
   return {step, last_->track_T_laser * step, last_->covariance + noise, gap};
@@ -212,9 +208,9 @@ TrackedScan ScanTracker::track(const LaserScan& scan, Time stamp,
 
   const Pose2& keyframe = local_.back().track_T_laser;
   Eigen::Matrix3d covariance =
-      (best.information + prior).inverse() + covariance_of(kLeastDistance, kLeastTurn);
+      (best.information + prior).inverse() + pose_covariance(kLeastDistance, kLeastTurn);
   if (best.agreement < params_.good_agreement) {
-    covariance += covariance_of(kDoubtfulDistance, kDoubtfulTurn);
+    covariance += pose_covariance(kDoubtfulDistance, kDoubtfulTurn);
   }
   result.track_T_laser = best.pose;
   result.keyframe_T_laser.pose = keyframe.inverse() * best.pose;

@@ -12,10 +12,6 @@ namespace {
 // Between the ways of two drives [m]: whatever is asked of lengths of way, they are far apart.
 constexpr double kBetweenDrives = 1000.0;
 
-Eigen::Matrix3d diagonal(double distance, double turn) {
-  return Eigen::Vector3d(distance * distance, distance * distance, turn * turn).asDiagonal();
-}
-
 }  // namespace
 
 SlamGraph::SlamGraph(const SlamGraphParams& params, const NearbyKeyframesParams& nearby,
@@ -49,37 +45,38 @@ KeyframeId SlamGraph::add_step(const PoseEstimate& last_T_keyframe, bool all_aro
   const double way = last_T_keyframe.pose.translation().norm();
   append(poses_.back() * last_T_keyframe.pose, nearby_.path(last) + way, all_around);
   steps_.push_back(last_T_keyframe);
-  steps_.back().covariance += diagonal(params_.step_distance, params_.step_turn);
+  steps_.back().covariance += pose_covariance(params_.step_distance, params_.step_turn);
   if (is_mapped(id)) select_step(id.value);
   add(constraint_between(last, id, steps_.back(), ConstraintKind::kOdometry));
   ++since_optimized_;
   return id;
 }
 
-std::optional<std::size_t> SlamGraph::add(const GraphConstraint& constraint) {
+void SlamGraph::add(const GraphConstraint& constraint) {
   nearby_.connect(constraint.from, constraint.to, estimate_of(constraint).covariance);
   Drive& drive = drive_of(constraint.to);
-  if (drive.mapped) return put_in_force(constraint);
-  drive.waiting.push_back(constraint);
-  return std::nullopt;
+  if (drive.mapped) {
+    put_in_force(constraint);
+  } else {
+    drive.waiting.push_back({constraint, std::nullopt});
+  }
 }
 
-// Whether a constraint that comes in shows that the map is off. In a corridor the way along it may
-// be far off without saying anything.
-bool SlamGraph::is_urgent(const GraphConstraint& constraint) const {
+// Whether the poses are off what was measured, and farther than by chance: in a corridor the way
+// along it may be far off without saying anything.
+bool SlamGraph::contradicts(const GraphConstraint& constraint, double distance, double turn) const {
   constexpr double kSignificant = 16.27;  // chi2 of three degrees of freedom, 99.9 %
   const Pose2& from = poses_[constraint.from.value];
   const Pose2& to = poses_[constraint.to.value];
   const Eigen::Vector3d residual = residual_of(constraint, from, to);
-  const bool far = residual.head<2>().norm() > params_.urgent_distance ||
-                   std::abs(residual.z()) > params_.urgent_turn;
+  const bool far = residual.head<2>().norm() > distance || std::abs(residual.z()) > turn;
   return far && chi2_of(constraint, from, to) > kSignificant;
 }
 
 std::size_t SlamGraph::put_in_force(const GraphConstraint& constraint) {
   if (constraint.kind == ConstraintKind::kClosure) {
     changed_ = true;
-    urgent_ = urgent_ || is_urgent(constraint);
+    urgent_ = urgent_ || contradicts(constraint, params_.urgent_distance, params_.urgent_turn);
   }
   return optimizer_.add_constraint(constraint);
 }
@@ -116,7 +113,7 @@ void SlamGraph::load(const PoseGraph& graph, const std::vector<KeyframeRecord>& 
     }
     const Pose2 step = poses_.back().inverse() * pose;
     append(pose, nearby_.path({i - 1}) + step.translation().norm(), keyframes[i].scan.closed);
-    steps_.push_back({step, diagonal(params_.step_distance, params_.step_turn)});
+    steps_.push_back({step, pose_covariance(params_.step_distance, params_.step_turn)});
     select_step(i);
   }
   for (const GraphConstraint& constraint : graph.constraints) add(constraint);

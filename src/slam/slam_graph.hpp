@@ -28,9 +28,11 @@ class SlamGraph {
   /// The next one, seen from the last.
   KeyframeId add_step(const PoseEstimate& last_T_keyframe, bool all_around);
 
-  /// A measurement between keyframes that need no gate. Returns its number in the graph; none while
-  /// the drive waits for its place.
-  std::optional<std::size_t> add(const GraphConstraint& constraint);
+  /// What the scans of keyframes of one drive that follow each other say.
+  void add(const GraphConstraint& constraint);
+  /// A closure that needs no gate: of keyframes that the graph knows to be near. Counts as a
+  /// proposal.
+  void admit(const GraphConstraint& closure);
 
   struct Verdict {
     std::size_t proposal;  // counted from 0 as they were made
@@ -54,12 +56,9 @@ class SlamGraph {
   /// Optimises now.
   void update();
 
-  /// The number in the graph of a proposal that was accepted once.
-  std::optional<std::size_t> number_of(std::size_t proposal) const {
-    return proposals_[proposal].in_graph;
-  }
-  /// Takes a constraint out if the poses contradict it: far off, and farther than by chance.
-  bool drop_if_contradicted(std::size_t number, const GraphConstraint& constraint);
+  /// Takes out the closures that the poses contradict, far off and farther than by chance. Returns
+  /// their proposals.
+  std::vector<std::size_t> drop_contradicted();
 
   const std::vector<Pose2>& poses() const { return poses_; }
   bool is_mapped(KeyframeId id) const { return drives_[drive_of_.at(id.value)].mapped; }
@@ -69,6 +68,11 @@ class SlamGraph {
   struct Proposal {
     GraphConstraint constraint;
     std::optional<std::size_t> in_graph;  // number in the optimiser
+    bool in_force;
+  };
+  struct Waiting {
+    GraphConstraint constraint;
+    std::optional<std::size_t> proposal;
   };
   struct Anchor {
     std::size_t proposal;
@@ -78,13 +82,13 @@ class SlamGraph {
   struct Drive {
     std::size_t first;  // keyframe
     bool mapped;
-    std::vector<GraphConstraint> waiting;
+    std::vector<Waiting> waiting;
     std::vector<Anchor> anchors;
   };
 
   void append(const Pose2& pose, double path, bool all_around);
   Drive& drive_of(KeyframeId id) { return drives_[drive_of_[id.value]]; }
-  bool is_urgent(const GraphConstraint& constraint) const;
+  bool contradicts(const GraphConstraint& constraint, double distance, double turn) const;
   std::size_t put_in_force(const GraphConstraint& constraint);  // its number
   void accept(std::size_t proposal);
   void refuse(std::size_t proposal);

@@ -34,19 +34,35 @@ bool SlamGraph::against_graph(const GraphConstraint& closure) {
 
 std::vector<SlamGraph::Verdict> SlamGraph::propose(const GraphConstraint& closure) {
   const std::size_t proposal = proposals_.size();
-  proposals_.push_back({closure, {}});
+  if (drive_of_[closure.from.value] == drive_of_[closure.to.value] && !is_mapped(closure.to) &&
+      !against_graph(closure)) {
+    admit(closure);
+    return {{proposal, true, "accepted"}};
+  }
+  proposals_.push_back({closure, {}, false});
   if (drive_of_[closure.from.value] != drive_of_[closure.to.value] &&
       !(is_mapped(closure.from) && is_mapped(closure.to))) {
     return anchor_by(proposal);
   }
   if (against_graph(closure)) return {{proposal, false, "against_graph"}};
-  if (is_mapped(closure.to)) return select(proposal);
-  add(closure);
-  return {{proposal, true, "accepted"}};
+  return select(proposal);
+}
+
+void SlamGraph::admit(const GraphConstraint& closure) {
+  const std::size_t proposal = proposals_.size();
+  proposals_.push_back({closure, {}, true});
+  nearby_.connect(closure.from, closure.to, estimate_of(closure).covariance);
+  Drive& drive = drive_of(closure.to);
+  if (drive.mapped) {
+    proposals_[proposal].in_graph = put_in_force(closure);
+  } else {
+    drive.waiting.push_back({closure, proposal});
+  }
 }
 
 void SlamGraph::accept(std::size_t proposal) {
   Proposal& accepted = proposals_[proposal];
+  accepted.in_force = true;
   if (accepted.in_graph) {
     optimizer_.set_in_force(*accepted.in_graph, true);
     changed_ = urgent_ = true;
@@ -58,6 +74,7 @@ void SlamGraph::accept(std::size_t proposal) {
 }
 
 void SlamGraph::refuse(std::size_t proposal) {
+  proposals_[proposal].in_force = false;
   if (!proposals_[proposal].in_graph) return;
   optimizer_.set_in_force(*proposals_[proposal].in_graph, false);
   changed_ = urgent_ = true;
@@ -75,18 +92,18 @@ std::vector<SlamGraph::Verdict> SlamGraph::select(std::size_t proposal) {
   return verdicts;
 }
 
-bool SlamGraph::drop_if_contradicted(std::size_t number, const GraphConstraint& constraint) {
+std::vector<std::size_t> SlamGraph::drop_contradicted() {
   constexpr double kWrong = 0.3;                               // [m]
   constexpr double kWronglyTurned = degrees_to_radians(10.0);  // [rad]
-  constexpr double kSignificant = 16.27;  // chi2 of three degrees of freedom, 99.9 %
-  const Pose2& from = poses_[constraint.from.value];
-  const Pose2& to = poses_[constraint.to.value];
-  const Eigen::Vector3d residual = residual_of(constraint, from, to);
-  const bool wrong =
-      residual.head<2>().norm() >= kWrong || std::abs(residual.z()) >= kWronglyTurned;
-  if (!wrong || chi2_of(constraint, from, to) <= kSignificant) return false;
-  optimizer_.set_in_force(number, false);
-  return true;
+  std::vector<std::size_t> dropped;
+  for (std::size_t i = 0; i < proposals_.size(); ++i) {
+    const Proposal& proposal = proposals_[i];
+    if (!proposal.in_force || !proposal.in_graph) continue;
+    if (!contradicts(proposal.constraint, kWrong, kWronglyTurned)) continue;
+    refuse(i);
+    dropped.push_back(i);
+  }
+  return dropped;
 }
 
 // Two closures of different keyframes that put a drive at the same place anchor it there.
@@ -129,7 +146,10 @@ void SlamGraph::map_drive(std::size_t number, const Pose2& map_T_drive) {
     optimizer_.add_node({{i}, poses_[i]});
     select_step(i);
   }
-  for (const GraphConstraint& constraint : drive.waiting) optimizer_.add_constraint(constraint);
+  for (const Waiting& waiting : drive.waiting) {
+    const std::size_t in_graph = optimizer_.add_constraint(waiting.constraint);
+    if (waiting.proposal) proposals_[*waiting.proposal].in_graph = in_graph;
+  }
   drive.waiting.clear();
 }
 
@@ -139,10 +159,7 @@ void SlamGraph::select_step(std::size_t keyframe) {
   const std::size_t last = last_selected_step_.value_or(keyframe);
   if (last + 1 != keyframe || drive_of_[last] != drive_of_[keyframe]) {
     step.pose = poses_[last].inverse() * poses_[keyframe];
-    step.covariance =
-        Eigen::Vector3d(kAnchoredDistance * kAnchoredDistance,
-                        kAnchoredDistance * kAnchoredDistance, kAnchoredTurn * kAnchoredTurn)
-            .asDiagonal();
+    step.covariance = pose_covariance(kAnchoredDistance, kAnchoredTurn);
   }
   selection_.add_step({keyframe}, step);
   last_selected_step_ = keyframe;

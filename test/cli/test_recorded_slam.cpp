@@ -4,7 +4,6 @@
 // SLAM on real recordings against hand-checked relations.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "falko_slam/evaluation/error_summary.hpp"
@@ -12,6 +11,7 @@
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "support/command.hpp"
+#include "support/recordings.hpp"
 
 namespace falko_slam {
 namespace {
@@ -24,17 +24,12 @@ struct Recording {
 
 void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
 
-std::string carmen_folder() {
-  const char* folder = std::getenv("FALKO_SLAM_DATA");
-  return std::string(folder ? folder : FALKO_SLAM_SOURCE_DIR "/../shared/data") + "/carmen/";
-}
-
 class RecordedSlam : public ::testing::TestWithParam<Recording> {};
 
 TEST_P(RecordedSlam, IsAsGoodAsItWas) {
   const Recording& expected = GetParam();
-  const std::string log = carmen_folder() + expected.name + ".clf.bz2";
-  const std::string truth = carmen_folder() + expected.name + ".relations.gz";
+  const std::string log = test::carmen_folder() + expected.name + ".clf.bz2";
+  const std::string truth = test::carmen_folder() + expected.name + ".relations.gz";
   if (!std::ifstream(log) || !std::ifstream(truth)) {
     GTEST_SKIP() << log << " or " << truth << " is not there: set FALKO_SLAM_DATA to the folder "
                  << "that holds carmen/";

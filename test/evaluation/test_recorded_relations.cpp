@@ -4,7 +4,6 @@
 // The metric on real recordings: raw odometry against hand-checked relations.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <variant>
 
@@ -12,6 +11,7 @@
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/sensor/carmen_log.hpp"
+#include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {
@@ -27,11 +27,6 @@ struct Recording {
 
 void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
 
-std::string carmen_folder() {
-  const char* folder = std::getenv("FALKO_SLAM_DATA");
-  return std::string(folder ? folder : FALKO_SLAM_SOURCE_DIR "/../shared/data") + "/carmen/";
-}
-
 Trajectory odometry_of(const std::string& log) {
   CarmenLogReader reader(log);
   Trajectory odometry;
@@ -46,8 +41,8 @@ class RecordedRelations : public ::testing::TestWithParam<Recording> {};
 
 TEST_P(RecordedRelations, RawOdometryHasItsKnownError) {
   const Recording& expected = GetParam();
-  const std::string log = carmen_folder() + expected.name + ".clf.bz2";
-  const std::string truth = carmen_folder() + expected.name + ".relations.gz";
+  const std::string log = test::carmen_folder() + expected.name + ".clf.bz2";
+  const std::string truth = test::carmen_folder() + expected.name + ".relations.gz";
   if (!std::ifstream(log) || !std::ifstream(truth)) {
     GTEST_SKIP() << log << " or " << truth << " is not there: set FALKO_SLAM_DATA to the folder "
                  << "that holds carmen/";

@@ -17,6 +17,10 @@ struct PoseEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
+/// Of a position known alike in all directions and a heading independent of it, from their standard
+/// deviations [m], [rad].
+Eigen::Matrix3d pose_covariance(double distance, double turn);
+
 /// A point of some frame with the covariance of its coordinates [m^2].
 struct PointEstimate {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();

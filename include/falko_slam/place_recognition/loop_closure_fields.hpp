@@ -102,37 +102,42 @@ void visit_registration_fields(Params& params, Visitor& visitor) {
   visitor.field("last_gate", params.last_gate);
 }
 
+/// A group of fields, its members visited by `visit(members, visitor)`.
+template <class Params, class Visitor, class Visit>
+void visit_group(const char* name, Params& members, Visitor& visitor, const Visit& visit) {
+  visitor.begin(name);
+  visit(members, visitor);
+  visitor.end();
+}
+
+/// Of LoopDetectorParams: the groups of what it is made of.
+template <class Params, class Visitor>
+void visit_detector_groups(Params& params, Visitor& visitor) {
+  auto& keyframe = params.keyframe;
+  const auto group = [&](const char* name, auto& members, const auto& visit) {
+    visit_group(name, members, visitor, visit);
+  };
+  group("falko", keyframe.falko, [](auto& p, auto& v) { visit_falko_fields(p, v); });
+  group("wall_end", keyframe.wall_end, [](auto& p, auto& v) { visit_wall_end_fields(p, v); });
+  group("signature", keyframe, [](auto& p, auto& v) { visit_signature_fields(p, v); });
+  group("view", keyframe.view, [](auto& p, auto& v) { visit_view_fields(p, v); });
+  group("matcher", params.matcher, [](auto& p, auto& v) { visit_matcher_fields(p, v); });
+  group("agreement", params.agreement, [](auto& p, auto& v) { visit_agreement_fields(p, v); });
+  group("registration", params.registration,
+        [](auto& p, auto& v) { visit_registration_fields(p, v); });
+}
+
 template <class Params, class Visitor>
 void visit_loop_closure_fields(Params& params, Visitor& visitor) {
-  const auto group = [&](const char* name, auto&& visit, auto& members) {
-    visitor.begin(name);
-    visit(members);
-    visitor.end();
+  const auto group = [&](const char* name, auto& members, const auto& visit) {
+    visit_group(name, members, visitor, visit);
   };
-  auto& keyframe = params.detector.keyframe;
-  group(
-      "scan", [&](auto& p) { visit_scan_fields(p, visitor); }, params.scan);
-  group(
-      "keyframes", [&](auto& p) { visit_selector_fields(p, visitor); }, params.selector);
-  group(
-      "loops", [&](auto& p) { visit_loop_fields(p, visitor); }, params.detector);
-  group(
-      "odometry", [&](auto& p) { visit_odometry_fields(p, visitor); }, params.detector.odometry);
-  group(
-      "falko", [&](auto& p) { visit_falko_fields(p, visitor); }, keyframe.falko);
-  group(
-      "wall_end", [&](auto& p) { visit_wall_end_fields(p, visitor); }, keyframe.wall_end);
-  group(
-      "signature", [&](auto& p) { visit_signature_fields(p, visitor); }, keyframe);
-  group(
-      "view", [&](auto& p) { visit_view_fields(p, visitor); }, keyframe.view);
-  group(
-      "matcher", [&](auto& p) { visit_matcher_fields(p, visitor); }, params.detector.matcher);
-  group(
-      "agreement", [&](auto& p) { visit_agreement_fields(p, visitor); }, params.detector.agreement);
-  group(
-      "registration", [&](auto& p) { visit_registration_fields(p, visitor); },
-      params.detector.registration);
+  auto& detector = params.detector;
+  group("scan", params.scan, [](auto& p, auto& v) { visit_scan_fields(p, v); });
+  group("keyframes", params.selector, [](auto& p, auto& v) { visit_selector_fields(p, v); });
+  group("loops", detector, [](auto& p, auto& v) { visit_loop_fields(p, v); });
+  group("odometry", detector.odometry, [](auto& p, auto& v) { visit_odometry_fields(p, v); });
+  visit_detector_groups(detector, visitor);
 }
 
 }  // namespace falko_slam

@@ -90,46 +90,21 @@ void visit_map_fields(Params& params, Visitor& visitor) {
 
 template <class Params, class Visitor>
 void visit_slam_fields(Params& params, Visitor& visitor) {
-  const auto group = [&](const char* name, auto&& visit, auto& members) {
-    visitor.begin(name);
-    visit(members);
-    visitor.end();
+  const auto group = [&](const char* name, auto& members, const auto& visit) {
+    visit_group(name, members, visitor, visit);
   };
-  auto& keyframe = params.loops.keyframe;
   visitor.field("deskew", params.deskew);
-  group(
-      "scan", [&](auto& p) { visit_scan_fields(p, visitor); }, params.scan);
-  group(
-      "tracker", [&](auto& p) { visit_tracker_fields(p, visitor); }, params.tracker);
-  group(
-      "link", [&](auto& p) { visit_link_fields(p, visitor); }, params.link);
-  group(
-      "nearby", [&](auto& p) { visit_nearby_fields(p, visitor); }, params.nearby);
-  group(
-      "loops", [&](auto& p) { visit_loop_fields(p, visitor); }, params.loops);
-  group(
-      "graph", [&](auto& p) { visit_graph_fields(p, visitor); }, params.graph);
-  group(
-      "consistency", [&](auto& p) { visit_consistency_fields(p, visitor); }, params.consistency);
-  group(
-      "optimizer", [&](auto& p) { visit_optimizer_fields(p, visitor); }, params.optimizer);
-  group(
-      "map", [&](auto& p) { visit_map_fields(p, visitor); }, params.map);
-  group(
-      "falko", [&](auto& p) { visit_falko_fields(p, visitor); }, keyframe.falko);
-  group(
-      "wall_end", [&](auto& p) { visit_wall_end_fields(p, visitor); }, keyframe.wall_end);
-  group(
-      "signature", [&](auto& p) { visit_signature_fields(p, visitor); }, keyframe);
-  group(
-      "view", [&](auto& p) { visit_view_fields(p, visitor); }, keyframe.view);
-  group(
-      "matcher", [&](auto& p) { visit_matcher_fields(p, visitor); }, params.loops.matcher);
-  group(
-      "agreement", [&](auto& p) { visit_agreement_fields(p, visitor); }, params.loops.agreement);
-  group(
-      "registration", [&](auto& p) { visit_registration_fields(p, visitor); },
-      params.loops.registration);
+  group("scan", params.scan, [](auto& p, auto& v) { visit_scan_fields(p, v); });
+  group("tracker", params.tracker, [](auto& p, auto& v) { visit_tracker_fields(p, v); });
+  group("link", params.link, [](auto& p, auto& v) { visit_link_fields(p, v); });
+  group("nearby", params.nearby, [](auto& p, auto& v) { visit_nearby_fields(p, v); });
+  group("loops", params.loops, [](auto& p, auto& v) { visit_loop_fields(p, v); });
+  group("graph", params.graph, [](auto& p, auto& v) { visit_graph_fields(p, v); });
+  group("consistency", params.consistency,
+        [](auto& p, auto& v) { visit_consistency_fields(p, v); });
+  group("optimizer", params.optimizer, [](auto& p, auto& v) { visit_optimizer_fields(p, v); });
+  group("map", params.map, [](auto& p, auto& v) { visit_map_fields(p, v); });
+  visit_detector_groups(params.loops, visitor);
 }
 
 }  // namespace falko_slam
