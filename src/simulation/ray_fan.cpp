@@ -1,0 +1,150 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ray_fan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "beam_echo.hpp"
+#include "falko_slam/geometry/angles.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr double kRounding = 1e-4;  // of approximate_atan2 and of all else [rad]
+
+double distance_to(const Face& face, const Eigen::Vector2d& point) {
+  const Eigen::Vector2d along = face.to - face.from;
+  const double length2 = along.squaredNorm();
+  const double share = length2 > 0.0 ? (point - face.from).dot(along) / length2 : 0.0;
+  return (face.from + std::clamp(share, 0.0, 1.0) * along - point).norm();
+}
+
+double bearing_of(const Eigen::Vector2d& direction) {
+  return approximate_atan2(direction.y(), direction.x());
+}
+
+// Calls use(begin, end) with the rays of the beams between two bearings, wherever a turn puts them.
+template <class Use>
+void for_rays_between(const RayFan& fan, double from, double to, const Use& use) {
+  if (fan.bearing.empty()) return;
+  const double margin = fan.bearing_margin + kRounding;
+  const auto begin = fan.bearing.begin();
+  const double turns = std::ceil((fan.bearing.front() - to - margin) / kTwoPi);
+  std::size_t done = 0;  // beams, so that none is tried twice
+  for (double shift = turns * kTwoPi; from + shift - margin <= fan.bearing.back();
+       shift += kTwoPi) {
+    const auto first = std::lower_bound(begin, fan.bearing.end(), from + shift - margin);
+    const auto last = std::upper_bound(first, fan.bearing.end(), to + shift + margin);
+    const std::size_t first_beam = std::max(done, static_cast<std::size_t>(first - begin));
+    done = std::max(done, static_cast<std::size_t>(last - begin));
+    if (first_beam < done) use(first_beam * fan.rays_per_beam, done * fan.rays_per_beam);
+  }
+}
+
+void hit_face(const Face& face, std::int64_t target, RayFan& fan, std::size_t begin,
+              std::size_t end) {
+  const double ax = face.from.x(), ay = face.from.y();
+  const double vx = face.to.x() - ax, vy = face.to.y() - ay;
+  const double *x = fan.x.data(), *y = fan.y.data(), *dx = fan.dx.data(), *dy = fan.dy.data();
+  double* range = fan.range.data();
+  std::int64_t* targets = fan.target.data();
+  for (std::size_t i = begin; i < end; ++i) {
+    const double determinant = dx[i] * vy - dy[i] * vx;
+    const double to_x = ax - x[i], to_y = ay - y[i];
+    const double distance = (to_x * vy - to_y * vx) / determinant;
+    const double share = (to_x * dy[i] - to_y * dx[i]) / determinant;
+    const bool closer = (distance > 0.0) & (share >= 0.0) & (share <= 1.0) & (distance < range[i]);
+    range[i] = closer ? distance : range[i];
+    targets[i] = closer ? target : targets[i];
+  }
+}
+
+void hit_cylinder(const Cylinder& cylinder, std::int64_t target, RayFan& fan, std::size_t begin,
+                  std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const double to_x = cylinder.center.x() - fan.x[i], to_y = cylinder.center.y() - fan.y[i];
+    const double along = to_x * fan.dx[i] + to_y * fan.dy[i];
+    const double beside = to_x * fan.dy[i] - to_y * fan.dx[i];
+    const double half_chord2 = cylinder.radius * cylinder.radius - beside * beside;
+    if (half_chord2 < 0.0) continue;
+    const double distance = along - std::sqrt(half_chord2);
+    if (distance <= 0.0 || distance >= fan.range[i]) continue;
+    fan.range[i] = distance;
+    fan.target[i] = target;
+  }
+}
+
+void cast_face(const Face& face, std::int64_t target, RayFan& fan) {
+  const auto hit = [&](std::size_t begin, std::size_t end) {
+    hit_face(face, target, fan, begin, end);
+  };
+  // From a begin that may lie on its other side it may be seen anywhere.
+  if (distance_to(face, fan.center) <= fan.reach) return hit(0, fan.x.size());
+  const Eigen::Vector2d from = face.from - fan.center;
+  const Eigen::Vector2d to = face.to - fan.center;
+  const double from_bearing = bearing_of(from);
+  const double turn = angle_between(from_bearing, bearing_of(to));
+  const double from_margin = std::asin(fan.reach / from.norm());
+  const double to_margin = std::asin(fan.reach / to.norm());
+  for_rays_between(fan, std::min(from_bearing - from_margin, from_bearing + turn - to_margin),
+                   std::max(from_bearing + from_margin, from_bearing + turn + to_margin), hit);
+}
+
+void cast_cylinder(const Cylinder& cylinder, std::int64_t target, RayFan& fan) {
+  const auto hit = [&](std::size_t begin, std::size_t end) {
+    hit_cylinder(cylinder, target, fan, begin, end);
+  };
+  const Eigen::Vector2d to = cylinder.center - fan.center;
+  const double width = cylinder.radius + fan.reach;
+  if (to.norm() <= width) return hit(0, fan.x.size());
+  const double half = std::asin(width / to.norm());
+  const double middle = bearing_of(to);
+  for_rays_between(fan, middle - half, middle + half, hit);
+}
+
+double cosine_at(const Face& face, const RayFan& fan, std::size_t ray) {
+  const Eigen::Vector2d along = (face.to - face.from).normalized();
+  return std::abs(fan.dx[ray] * along.y() - fan.dy[ray] * along.x());
+}
+
+double cosine_at(const Cylinder& cylinder, const RayFan& fan, std::size_t ray) {
+  const Eigen::Vector2d direction(fan.dx[ray], fan.dy[ray]);
+  const Eigen::Vector2d point =
+      Eigen::Vector2d(fan.x[ray], fan.y[ray]) + fan.range[ray] * direction;
+  return std::abs(direction.dot(point - cylinder.center)) / cylinder.radius;
+}
+
+// The light of the rays that met the shape, which are not marked any longer then.
+void light_up(const Shape& shape, const std::vector<Surface>& surfaces, RayFan& fan) {
+  const std::size_t faces = shape.faces.size();
+  for (std::size_t ray = 0; ray < fan.target.size(); ++ray) {
+    if (fan.target[ray] == RayFan::kNone) continue;
+    const auto target = static_cast<std::size_t>(fan.target[ray]);
+    const auto light = [&](const auto& thing) {
+      return returned_light(surfaces[thing.surface], cosine_at(thing, fan, ray));
+    };
+    fan.light[ray] =
+        target < faces ? light(shape.faces[target]) : light(shape.cylinders[target - faces]);
+    fan.target[ray] = RayFan::kNone;
+  }
+}
+
+}  // namespace
+
+void RayFan::resize(std::size_t beams) {
+  bearing.resize(beams);
+  for (std::vector<double>* of_rays : {&x, &y, &dx, &dy}) of_rays->resize(beams * rays_per_beam);
+  range.assign(beams * rays_per_beam, std::numeric_limits<double>::infinity());
+  light.assign(beams * rays_per_beam, 0.0);
+  target.assign(beams * rays_per_beam, kNone);
+}
+
+void cast(const Shape& shape, const std::vector<Surface>& surfaces, RayFan& fan) {
+  std::int64_t target = 0;
+  for (const Face& face : shape.faces) cast_face(face, target++, fan);
+  for (const Cylinder& cylinder : shape.cylinders) cast_cylinder(cylinder, target++, fan);
+  light_up(shape, surfaces, fan);
+}
+
+}  // namespace falko_slam

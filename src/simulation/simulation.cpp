@@ -1,0 +1,52 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/simulation/simulation.hpp"
+
+namespace falko_slam {
+namespace {
+
+// Noise of different things comes from different sequences: more of one does not change the other.
+std::mt19937_64 sequence(std::uint64_t seed, std::uint32_t number) {
+  std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
+                      number};
+  return std::mt19937_64(words);
+}
+
+double diameter_of_reflectors(const World& world) {
+  const std::vector<Cylinder> reflectors = reflectors_of(world);
+  return reflectors.empty() ? 0.08 : 2.0 * reflectors.front().radius;
+}
+
+}  // namespace
+
+Simulation::Simulation(Scenario scenario, Time start, std::uint64_t seed)
+    : scenario_(std::move(scenario)),
+      start_(start),
+      period_(from_seconds(1.0 / scenario_.vehicle.encoder_rate)),
+      vehicle_(scenario_.vehicle, scenario_.world_T_start, start, sequence(seed, 1)()),
+      scanner_(scenario_.laser, scenario_.vehicle.base_T_laser, scenario_.world, start),
+      scan_random_(sequence(seed, 2)),
+      reflector_diameter_(diameter_of_reflectors(scenario_.world)) {}
+
+Time Simulation::scan_begin() const {
+  return start_ + from_seconds(static_cast<double>(scans_) * scenario_.laser.scan_period);
+}
+
+SimulationStep Simulation::step(const DriveInput& input) {
+  std::visit([&](const auto& motion) { vehicle_.drive(period_, motion); }, input);
+  SimulationStep result;
+  result.encoders = vehicle_.reading();
+  result.world_T_base = vehicle_.world_T_base();
+  const LaserModel& laser = scenario_.laser;
+  const Duration sweep = from_seconds(static_cast<double>(laser.beams - 1) * laser.time_increment);
+  for (; scan_begin() + sweep <= vehicle_.time(); ++scans_) {
+    SimulationStep::Scan scan;
+    scan.scan = scanner_.scan(scan_begin(), vehicle_.track(), scan_random_);
+    scan.reflectors = report_reflectors(laser, scan.scan, reflector_diameter_);
+    result.scans.push_back(std::move(scan));
+  }
+  vehicle_.forget_before(scan_begin());
+  return result;
+}
+
+}  // namespace falko_slam
