@@ -1,0 +1,59 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/simulation/vehicle_model.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "falko_slam/common/validation.hpp"
+#include "falko_slam/geometry/angles.hpp"
+
+namespace falko_slam {
+namespace {
+
+// The two tricycles have the same fields.
+void validate(const char* name, const TricycleParams& params) {
+  try {
+    validate(params);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(name) + "." + error.what());
+  }
+}
+
+void validate(const char* x, const char* y, const char* heading, const Pose2& base_T_laser) {
+  require_in_range(x, base_T_laser.x(), -20.0, 20.0);
+  require_in_range(y, base_T_laser.y(), -20.0, 20.0);
+  require_in_range(heading, base_T_laser.theta(), -kPi, kPi);
+}
+
+void validate(const ActuatorModel& actuators) {
+  require_in_range("max_wheel_speed", actuators.max_wheel_speed, 0.01, 20.0);
+  require_in_range("acceleration", actuators.acceleration, 0.01, 100.0);
+  require_in_range("max_steering", actuators.max_steering, 0.01, kPi);
+  require_in_range("steer_rate", actuators.steer_rate, 0.01, 100.0);
+  require_in_range("command_timeout", actuators.command_timeout, 0.01, 60.0);
+}
+
+void validate(const WheelErrors& errors) {
+  require_in_range("slip_per_run", errors.slip_per_run, 0.0, 0.5);
+  require_in_range("slip_per_phase", errors.slip_per_phase, 0.0, 0.5);
+  require_in_range("slip_per_root_metre", errors.slip_per_root_metre, 0.0, 0.5);
+  require_in_range("steering_per_run", errors.steering_per_run, 0.0, 0.5);
+  require_in_range("steering_per_phase", errors.steering_per_phase, 0.0, 0.5);
+}
+
+}  // namespace
+
+void validate(const VehicleModel& vehicle) {
+  validate("tricycle", vehicle.tricycle);
+  validate("base_T_laser.x", "base_T_laser.y", "base_T_laser.theta", vehicle.base_T_laser);
+  validate("nominal", vehicle.nominal);
+  validate("nominal_base_T_laser.x", "nominal_base_T_laser.y", "nominal_base_T_laser.theta",
+           vehicle.nominal_base_T_laser);
+  validate(vehicle.encoders);
+  require_in_range("encoder_rate", vehicle.encoder_rate, 1.0, 1000.0);
+  validate(vehicle.actuators);
+  validate(vehicle.errors);
+}
+
+}  // namespace falko_slam
