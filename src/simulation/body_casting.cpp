@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "falko_slam/geometry/angles.hpp"
 #include "ray_fan.hpp"
@@ -70,10 +71,10 @@ void cast(const Body& body, const std::vector<Surface>& surfaces,
     if (seconds[beam] < body.appears || seconds[beam] >= body.disappears) continue;
     RayFan seen = seen_from_body(fan, beam, pose_at(body.motion, seconds[beam]));
     cast(body.shape, surfaces, seen);
-    std::copy(seen.range.begin(), seen.range.end(),
-              fan.range.begin() + static_cast<std::ptrdiff_t>(beam * fan.rays_per_beam));
-    std::copy(seen.light.begin(), seen.light.end(),
-              fan.light.begin() + static_cast<std::ptrdiff_t>(beam * fan.rays_per_beam));
+    for (std::size_t k = 0; k < fan.rays_per_beam; ++k) {
+      fan.range[beam * fan.rays_per_beam + k] = seen.range[k];
+      fan.light[beam * fan.rays_per_beam + k] = seen.light[k];
+    }
   }
 }
 

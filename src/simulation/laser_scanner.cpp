@@ -134,6 +134,23 @@ const SimulatedScan& LaserScanner::scan(Time first_beam, const MotionTrack& trac
   return result;
 }
 
+RawScan as_raw_scan(const LaserModel& laser, const SimulatedScan& scan) {
+  RawScan raw;
+  raw.stamp = scan.first_beam;
+  raw.angle_min = laser.angle_min;
+  raw.angle_increment = laser.angle_increment;
+  raw.angle_max = laser.angle_min + static_cast<double>(laser.beams) * laser.angle_increment;
+  raw.time_increment = laser.time_increment;
+  raw.scan_time = laser.scan_period;
+  raw.range_min = laser.stated_range_min;
+  raw.range_max = laser.stated_range_max;
+  raw.ranges = scan.ranges.data();
+  raw.range_count = scan.ranges.size();
+  raw.intensities = scan.intensities.data();
+  raw.intensity_count = scan.intensities.size();
+  return raw;
+}
+
 std::vector<Cylinder> reflectors_of(const World& world) {
   std::vector<Cylinder> reflectors;
   for (const Cylinder& cylinder : world.fixed.cylinders) {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -24,11 +23,13 @@ struct RayFan {
   std::vector<double> x, y, dx, dy;  ///< begin [m] and direction (unit) of each ray
   std::vector<double> range;         ///< to what it meets first [m]; infinity: nothing
   std::vector<double> light;         ///< that this sends back, see returned_light()
-  std::vector<std::int64_t> target;  ///< of the shape that is being cast; else kNone
+  /// Of the shape that is being cast, else kNone; whole numbers, of the type of the ranges so that
+  /// one vector register holds both.
+  std::vector<double> target;
 
-  static constexpr std::int64_t kNone = -1;
+  static constexpr double kNone = -1.0;
   std::size_t beams() const { return bearing.size(); }
-  /// Room for so many beams, whose rays have not met anything.
+  /// Room for so many beams, whose rays have not met anything, and for an even number of rays.
   void resize(std::size_t beams);
 };
 

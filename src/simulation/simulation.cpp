@@ -12,6 +12,12 @@ std::mt19937_64 sequence(std::uint64_t seed, std::uint32_t number) {
   return std::mt19937_64(words);
 }
 
+Scenario checked(Scenario scenario) {
+  validate(scenario.vehicle);
+  validate(scenario.laser);
+  return scenario;
+}
+
 double diameter_of_reflectors(const World& world) {
   const std::vector<Cylinder> reflectors = reflectors_of(world);
   return reflectors.empty() ? 0.08 : 2.0 * reflectors.front().radius;
@@ -20,7 +26,7 @@ double diameter_of_reflectors(const World& world) {
 }  // namespace
 
 Simulation::Simulation(Scenario scenario, Time start, std::uint64_t seed)
-    : scenario_(std::move(scenario)),
+    : scenario_(checked(std::move(scenario))),
       start_(start),
       period_(from_seconds(1.0 / scenario_.vehicle.encoder_rate)),
       vehicle_(scenario_.vehicle, scenario_.world_T_start, start, sequence(seed, 1)()),

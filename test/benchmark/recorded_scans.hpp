@@ -11,8 +11,8 @@
 
 #include "falko_slam/evaluation/posed_scan.hpp"
 #include "falko_slam/sensor/scan_normalizer.hpp"
-#include "falko_slam/simulation/scene.hpp"
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "support/scene.hpp"
+#include "support/simulated_laser.hpp"
 
 namespace falko_slam {
 namespace benchmarks {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "support/simulated_laser.hpp"
 #include "support/carmen_lines.hpp"
 #include "support/command.hpp"
 #include "support/seeds.hpp"

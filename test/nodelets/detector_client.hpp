@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "support/simulated_laser.hpp"
 #include "spin_until.hpp"
 #include "support/seeds.hpp"
 

@@ -20,7 +20,7 @@
 
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "support/simulated_laser.hpp"
 #include "spin_until.hpp"
 #include "support/seeds.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "support/simulated_laser.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {

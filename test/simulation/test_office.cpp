@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "falko_slam/geometry/angles.hpp"
-#include "falko_slam/simulation/scene.hpp"
+#include "support/scene.hpp"
 
 namespace falko_slam {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "falko_slam/sensor/deskew.hpp"
 #include "falko_slam/sensor/scan_normalizer.hpp"
-#include "falko_slam/simulation/simulated_laser.hpp"
+#include "support/simulated_laser.hpp"
 
 namespace falko_slam {
 namespace test {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "falko_slam/common/time.hpp"
+#include "falko_slam/sensor/scan_normalizer.hpp"
 #include "falko_slam/simulation/laser_model.hpp"
 #include "falko_slam/simulation/motion_track.hpp"
 #include "falko_slam/simulation/world.hpp"
@@ -20,6 +21,10 @@ struct SimulatedScan {
   std::vector<float> ranges;       ///< [m]; 0: no echo, or one that is too near or too far
   std::vector<float> intensities;  ///< empty if the scanner has none
 };
+
+/// As the driver of the scanner publishes it: angle_max is one increment past the last beam, no echo
+/// is 0, the stamp is that of the first beam. Borrows the arrays.
+RawScan as_raw_scan(const LaserModel& laser, const SimulatedScan& scan);
 
 /// A scanner on a vehicle: each beam leaves from where the vehicle is at that instant, things that
 /// move stand where they are at that instant.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "falko_slam/geometry/angles.hpp"
-#include "falko_slam/simulation/scene.hpp"
+#include "support/scene.hpp"
 
 namespace falko_slam {
 

@@ -1,6 +1,6 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "falko_slam/simulation/scene.hpp"
+#include "support/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
