@@ -7,6 +7,7 @@
 
 #include "carmen_line.hpp"
 #include "falko_slam/common/line_reader.hpp"
+#include "falko_slam/common/log_trouble.hpp"
 
 namespace falko_slam {
 namespace {
@@ -104,21 +105,10 @@ std::optional<CarmenRecord> CarmenLogReader::next() {
 const CarmenReport& CarmenLogReader::report() const { return state_->report; }
 
 std::string describe(const CarmenReport& report) {
-  constexpr std::size_t kListed = 5;
   std::ostringstream text;
   text << report.lines << " lines: " << report.scans << " scans, " << report.odometry
        << " odometry readings, " << report.vertices << " corrected poses, " << report.other
-       << " others";
-  if (report.backward_stamps > 0) {
-    text << "; " << report.backward_stamps << " stamps run backward (file order kept)";
-  }
-  if (!report.malformed_lines.empty()) {
-    text << "; " << report.malformed_lines.size() << " malformed lines left out:";
-    for (std::size_t i = 0; i < report.malformed_lines.size() && i < kListed; ++i) {
-      text << ' ' << report.malformed_lines[i];
-    }
-    if (report.malformed_lines.size() > kListed) text << " ...";
-  }
+       << " others" << describe_trouble(report.backward_stamps, report.malformed_lines);
   return text.str();
 }
 

@@ -8,11 +8,17 @@
 namespace falko_slam {
 namespace test {
 
-/// Where raw CARMEN logs and their relations are, if there are any.
-inline std::string carmen_folder() {
+/// Where recordings are, if there are any.
+inline std::string recording_folder() {
   const char* folder = std::getenv("FALKO_SLAM_DATA");
-  return std::string(folder ? folder : FALKO_SLAM_SOURCE_DIR "/../shared/data") + "/carmen/";
+  return folder ? folder : FALKO_SLAM_SOURCE_DIR "/../shared/data";
 }
+
+/// Raw CARMEN logs and their relations.
+inline std::string carmen_folder() { return recording_folder() + "/carmen/"; }
+
+/// The encoders of a tricycle, its own odometry and what a tracker saw.
+inline std::string tricycle_recording() { return recording_folder() + "/tricycle/dataset.txt"; }
 
 }  // namespace test
 }  // namespace falko_slam

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "falko_slam/sensor/encoder_reading.hpp"
+#include "falko_slam/vehicle/encoder_reading.hpp"
 #include "falko_slam/vehicle/tricycle.hpp"
 
 namespace falko_slam {
