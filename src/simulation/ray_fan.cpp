@@ -12,6 +12,7 @@
 namespace falko_slam {
 namespace {
 
+constexpr double kCorner = 1e-9;    // faces that share a corner leave no gap [of their length]
 constexpr double kRounding = 1e-4;  // of approximate_atan2 and of all else [rad]
 
 double distance_to(const Face& face, const Eigen::Vector2d& point) {
@@ -68,7 +69,8 @@ void hit_face(const Face& face, double target, RayFan& fan, std::size_t begin, s
     const Lanes distance = (to_x * vy - to_y * vx) * scale;
     const Lanes share = (to_x * dy - to_y * dx) * scale;
     const Lanes range = load(fan.range, i);
-    const auto closer = (distance > 0.0) & (share >= 0.0) & (share <= 1.0) & (distance < range);
+    const auto closer =
+        (distance > 0.0) & (share >= -kCorner) & (share <= 1.0 + kCorner) & (distance < range);
     store(closer ? distance : range, fan.range, i);
     store(closer ? Lanes{target, target} : load(fan.target, i), fan.target, i);
   }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <stdexcept>
 
-#include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/driver.hpp"
 
 namespace falko_slam {
@@ -45,7 +44,9 @@ class RecordedCommands : public Driver, Recording<std::pair<Time, WheelCommand>>
 class RecordedEncoders : public Driver, Recording<EncoderReading> {
  public:
   RecordedEncoders(std::vector<EncoderReading> readings, const EncoderParams& params)
-      : Recording(std::move(readings)), params_(params) {}
+      : Recording(std::move(readings)), params_(params) {
+    if (!records_.empty()) steering_ = steering_of(params_, records_.front().steer_ticks);
+  }
 
   std::optional<DriveInput> next(const SimulatedVehicle& vehicle, Duration period) override {
     if (records_.size() < 2) return std::nullopt;
@@ -57,8 +58,7 @@ class RecordedEncoders : public Driver, Recording<EncoderReading> {
     const Duration now = vehicle.time() - *begin_;
     if (now >= records_.back().stamp - records_.front().stamp) return std::nullopt;
     const State end = at(now + period);
-    const double turn = angle_between(last_.steering, end.steering);
-    const EncoderMotion motion{end.ticks - last_.ticks, vehicle.steering() + turn};
+    const EncoderMotion motion{end.ticks - last_.ticks, end.steering};
     last_ = end;
     return DriveInput(motion);
   }
@@ -73,21 +73,24 @@ class RecordedEncoders : public Driver, Recording<EncoderReading> {
   State at(Duration elapsed) {
     const auto since = [&](std::size_t i) { return records_[i].stamp - records_[0].stamp; };
     while (next_ + 2 < records_.size() && since(next_ + 1) <= elapsed) {
-      ticks_ += ticks_between(records_[next_].drive_ticks, records_[next_ + 1].drive_ticks);
-      ++next_;
+      const EncoderReading& from = records_[next_];
+      const EncoderReading& to = records_[++next_];
+      ticks_ += ticks_between(from.drive_ticks, to.drive_ticks);
+      steering_ += steering_between(params_, from.steer_ticks, to.steer_ticks);
     }
     const EncoderReading& from = records_[next_];
     const EncoderReading& to = records_[next_ + 1];
     const double share =
         std::min(1.0, to_seconds(elapsed - since(next_)) / to_seconds(to.stamp - from.stamp));
-    const double steering = steering_of(params_, from.steer_ticks);
+    const double turn = steering_between(params_, from.steer_ticks, to.steer_ticks);
     return {ticks_ + share * ticks_between(from.drive_ticks, to.drive_ticks),
-            steering + share * angle_between(steering, steering_of(params_, to.steer_ticks))};
+            steering_ + share * turn};
   }
 
   EncoderParams params_;
   State last_;
-  double ticks_ = 0.0;  // from the first reading to that before
+  double ticks_ = 0.0;     // from the first reading to that before
+  double steering_ = 0.0;  // at that before, not wrapped [rad]
 };
 
 }  // namespace

@@ -69,8 +69,6 @@ TEST(LaserScanner, HasTheNoiseThatTheModelStates) {
   LaserModel laser = ideal_laser();
   laser.range_noise = 0.02;
   World world = test::empty_world();
-  world.fixed.cylinders.push_back({{0.0, 0.0}, 0.01, test::kMatt});
-  world.fixed.cylinders.clear();
   for (int i = 0; i < 1440; ++i) {  // a round room of 8 m
     const double a = i * kTwoPi / 1440, b = (i + 1) * kTwoPi / 1440;
     world.fixed.faces.push_back(

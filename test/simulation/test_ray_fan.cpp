@@ -127,8 +127,11 @@ TEST(RayFan, MeetsAThingWhereItIsWhenTheBeamLooks) {
     scene.add_box(pose_at(body.motion, seconds[i]), {1.0, 1.0});
     const double expected = brute_force(scene, fan, i);
     hits += std::isfinite(expected) ? 1 : 0;
-    if (std::isfinite(expected)) EXPECT_NEAR(fan.range[i], expected, 1e-9) << i;
-    if (std::isinf(expected)) EXPECT_TRUE(std::isinf(fan.range[i])) << i;
+    if (std::isfinite(expected)) {
+      EXPECT_NEAR(fan.range[i], expected, 1e-9) << i;
+    } else {
+      EXPECT_TRUE(std::isinf(fan.range[i])) << i;
+    }
   }
   EXPECT_GT(hits, 15);
 }
