@@ -11,19 +11,10 @@
 namespace falko_slam {
 namespace {
 
-// The two tricycles have the same fields.
-void validate(const char* name, const TricycleParams& params) {
-  try {
-    validate(params);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(name) + "." + error.what());
-  }
-}
-
-void validate(const char* x, const char* y, const char* heading, const Pose2& base_T_laser) {
-  require_in_range(x, base_T_laser.x(), -20.0, 20.0);
-  require_in_range(y, base_T_laser.y(), -20.0, 20.0);
-  require_in_range(heading, base_T_laser.theta(), -kPi, kPi);
+void validate(const Pose2& base_T_laser) {
+  require_in_range("x", base_T_laser.x(), -20.0, 20.0);
+  require_in_range("y", base_T_laser.y(), -20.0, 20.0);
+  require_in_range("theta", base_T_laser.theta(), -kPi, kPi);
 }
 
 void validate(const ActuatorModel& actuators) {
@@ -42,18 +33,27 @@ void validate(const WheelErrors& errors) {
   require_in_range("steering_per_phase", errors.steering_per_phase, 0.0, 0.5);
 }
 
+// Names the group: the two tricycles have the same fields, for one.
+template <class Group>
+void validate_group(const char* name, const Group& group) {
+  try {
+    validate(group);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(name) + "." + error.what());
+  }
+}
+
 }  // namespace
 
 void validate(const VehicleModel& vehicle) {
-  validate("tricycle", vehicle.tricycle);
-  validate("base_T_laser.x", "base_T_laser.y", "base_T_laser.theta", vehicle.base_T_laser);
-  validate("nominal", vehicle.nominal);
-  validate("nominal_base_T_laser.x", "nominal_base_T_laser.y", "nominal_base_T_laser.theta",
-           vehicle.nominal_base_T_laser);
-  validate(vehicle.encoders);
+  validate_group("tricycle", vehicle.tricycle);
+  validate_group("base_T_laser", vehicle.base_T_laser);
+  validate_group("nominal", vehicle.nominal);
+  validate_group("nominal_base_T_laser", vehicle.nominal_base_T_laser);
+  validate_group("encoders", vehicle.encoders);
   require_in_range("encoder_rate", vehicle.encoder_rate, 1.0, 1000.0);
-  validate(vehicle.actuators);
-  validate(vehicle.errors);
+  validate_group("actuators", vehicle.actuators);
+  validate_group("errors", vehicle.errors);
 }
 
 }  // namespace falko_slam

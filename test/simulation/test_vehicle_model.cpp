@@ -37,18 +37,19 @@ TEST(VehicleModel, IsRefusedWithTheFieldAndItsValue) {
   begins("nominal_base_T_laser.y = nan: ", [=](auto& v) {
     v.nominal_base_T_laser = {0.0, nan, 0.0};
   });
-  begins("steer_ticks_per_turn = 0: ", [](auto& v) { v.encoders.steer_ticks_per_turn = 0; });
+  begins("encoders.steer_ticks_per_turn = 0: ",
+         [](auto& v) { v.encoders.steer_ticks_per_turn = 0; });
   begins("encoder_rate = 0: ", [](auto& v) { v.encoder_rate = 0.0; });
-  begins("max_wheel_speed = 0: ", [](auto& v) { v.actuators.max_wheel_speed = 0.0; });
-  begins("acceleration = 0: ", [](auto& v) { v.actuators.acceleration = 0.0; });
-  begins("max_steering = 4: ", [](auto& v) { v.actuators.max_steering = 4.0; });
-  begins("steer_rate = 0: ", [](auto& v) { v.actuators.steer_rate = 0.0; });
-  begins("command_timeout = 0: ", [](auto& v) { v.actuators.command_timeout = 0.0; });
-  begins("slip_per_run = -1: ", [](auto& v) { v.errors.slip_per_run = -1.0; });
-  begins("slip_per_phase = 1: ", [](auto& v) { v.errors.slip_per_phase = 1.0; });
-  begins("slip_per_root_metre = 1: ", [](auto& v) { v.errors.slip_per_root_metre = 1.0; });
-  begins("steering_per_run = nan: ", [=](auto& v) { v.errors.steering_per_run = nan; });
-  begins("steering_per_phase = -1: ", [](auto& v) { v.errors.steering_per_phase = -1.0; });
+  begins("actuators.max_wheel_speed = 0: ", [](auto& v) { v.actuators.max_wheel_speed = 0.0; });
+  begins("actuators.acceleration = 0: ", [](auto& v) { v.actuators.acceleration = 0.0; });
+  begins("actuators.max_steering = 4: ", [](auto& v) { v.actuators.max_steering = 4.0; });
+  begins("actuators.steer_rate = 0: ", [](auto& v) { v.actuators.steer_rate = 0.0; });
+  begins("actuators.command_timeout = 0: ", [](auto& v) { v.actuators.command_timeout = 0.0; });
+  begins("errors.slip_per_run = -1: ", [](auto& v) { v.errors.slip_per_run = -1.0; });
+  begins("errors.slip_per_phase = 1: ", [](auto& v) { v.errors.slip_per_phase = 1.0; });
+  begins("errors.slip_per_root_metre = 1: ", [](auto& v) { v.errors.slip_per_root_metre = 1.0; });
+  begins("errors.steering_per_run = nan: ", [=](auto& v) { v.errors.steering_per_run = nan; });
+  begins("errors.steering_per_phase = -1: ", [](auto& v) { v.errors.steering_per_phase = -1.0; });
 }
 
 }  // namespace

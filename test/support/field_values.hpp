@@ -18,6 +18,10 @@ class FieldValues {
   void end() { prefix_.clear(); }
   void field(const char* name, double value) { values_[prefix_ + name] = number(value); }
   void field(const char* name, int value) { values_[prefix_ + name] = number(value); }
+  void field(const char* name, unsigned int value) { values_[prefix_ + name] = number(value); }
+  void field(const char* name, unsigned long value) {
+    values_[prefix_ + name] = number(static_cast<double>(value));
+  }
   void field(const char* name, bool value) { values_[prefix_ + name] = value ? "true" : "false"; }
   template <class Enum>
   void choice(const char* name, Enum value, const EnumNames<Enum>& names) {
@@ -56,6 +60,8 @@ class FieldChanger {
   void end() {}
   void field(const char*, double& value) const { value += 0.5; }
   void field(const char*, int& value) const { value += 3; }
+  void field(const char*, unsigned int& value) const { value += 3; }
+  void field(const char*, unsigned long& value) const { value += 3; }
   void field(const char*, bool& value) const { value = !value; }
   template <class Enum>
   void choice(const char*, Enum& value, const EnumNames<Enum>& names) const {
