@@ -27,10 +27,9 @@ bool is_bag(const std::string& path) {
 std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted) {
   std::set<std::string> scans;
   std::set<std::string> all;
-  rosbag::View view(bag);
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
-    all.insert(connection->topic);
-    if (connection->datatype == "sensor_msgs/LaserScan") scans.insert(connection->topic);
+  for (const auto& [topic, type] : topic_types(bag)) {
+    all.insert(topic);
+    if (type == "sensor_msgs/LaserScan") scans.insert(topic);
   }
   if (wanted.empty() && scans.size() == 1) return *scans.begin();
   for (const std::string& name : {wanted, "/" + wanted}) {
@@ -39,6 +38,23 @@ std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const st
   throw std::runtime_error(path + ": " +
                            (wanted.empty() ? "which scans? " : "no LaserScan on " + wanted + ". ") +
                            "LaserScan topics: " + joined(scans) + "; all topics: " + joined(all));
+}
+
+std::map<std::string, std::string> topic_types(const rosbag::Bag& bag) {
+  std::map<std::string, std::string> types;
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    types[connection->topic] = connection->datatype;
+  }
+  return types;
+}
+
+std::string describe(const std::map<std::string, std::string>& types) {
+  std::string text;
+  for (const auto& [topic, type] : types) {
+    text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
+  }
+  return text.empty() ? "no topics" : text;
 }
 
 }  // namespace falko_slam

@@ -4,6 +4,7 @@
 
 #include <rosbag/bag.h>
 
+#include <map>
 #include <string>
 
 namespace falko_slam {
@@ -14,5 +15,11 @@ bool is_bag(const std::string& path);
 /// The bag's topic of LaserScan messages that is `wanted`, or the only one if that is empty. Throws
 /// std::runtime_error that names the file (`path`) and the topics in it.
 std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted);
+
+/// Type of the messages on each topic.
+std::map<std::string, std::string> topic_types(const rosbag::Bag& bag);
+
+/// "/scan (sensor_msgs/LaserScan), ..."; "no topics".
+std::string describe(const std::map<std::string, std::string>& types);
 
 }  // namespace falko_slam

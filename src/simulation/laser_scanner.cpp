@@ -159,4 +159,9 @@ std::vector<Cylinder> reflectors_of(const World& world) {
   return reflectors;
 }
 
+double diameter_of_reflectors(const World& world) {
+  const std::vector<Cylinder> reflectors = reflectors_of(world);
+  return reflectors.empty() ? 0.08 : 2.0 * reflectors.front().radius;
+}
+
 }  // namespace falko_slam

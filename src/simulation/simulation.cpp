@@ -18,11 +18,6 @@ Scenario checked(Scenario scenario) {
   return scenario;
 }
 
-double diameter_of_reflectors(const World& world) {
-  const std::vector<Cylinder> reflectors = reflectors_of(world);
-  return reflectors.empty() ? 0.08 : 2.0 * reflectors.front().radius;
-}
-
 }  // namespace
 
 Simulation::Simulation(Scenario scenario, Time start, std::uint64_t seed)

@@ -52,4 +52,7 @@ class LaserScanner {
 /// The cylinders of the world that are reflectors, as they stand at the beginning.
 std::vector<Cylinder> reflectors_of(const World& world);
 
+/// What the device is told of them [m]: that of the first one, 0.08 if there is none.
+double diameter_of_reflectors(const World& world);
+
 }  // namespace falko_slam

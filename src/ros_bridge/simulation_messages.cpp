@@ -1,0 +1,89 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/simulation_messages.hpp"
+
+#include <cmath>
+
+#include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
+#include "falko_slam/ros_bridge/pose_conversion.hpp"
+#include "falko_slam/ros_bridge/time_conversion.hpp"
+
+namespace falko_slam {
+namespace {
+
+std_msgs::Header header_of(Time stamp, const std::string& frame) {
+  std_msgs::Header header;
+  header.stamp = to_ros(stamp);
+  header.frame_id = frame;
+  return header;
+}
+
+Reflector to_message(const ReflectorDetection& found, std::size_t number, double diameter) {
+  Reflector message;
+  message.position.x = found.range * std::cos(found.bearing);
+  message.position.y = found.range * std::sin(found.bearing);
+  message.range = found.range;
+  message.bearing = found.bearing;
+  message.local_id = static_cast<std::uint16_t>(number);
+  message.global_id = Reflector::UNKNOWN_ID;
+  message.diameter = diameter;
+  message.hit_count = static_cast<std::uint16_t>(found.hits);
+  message.mean_echo = found.mean_intensity;
+  message.start_index = static_cast<std::uint32_t>(found.first_beam);
+  message.end_index = static_cast<std::uint32_t>(found.last_beam);
+  message.time_offset = to_ros(from_seconds(found.time_offset));
+  return message;
+}
+
+}  // namespace
+
+SimulationMessenger::SimulationMessenger(const Scenario& scenario, const SimulationFrames& frames)
+    : laser_(scenario.laser),
+      base_T_laser_(scenario.vehicle.nominal_base_T_laser),
+      reflector_diameter_(diameter_of_reflectors(scenario.world)),
+      frames_(frames),
+      odometry_(scenario.vehicle.nominal, scenario.vehicle.encoders),
+      joints_(JointParams{scenario.vehicle.encoders}) {}
+
+tf2_msgs::TFMessage SimulationMessenger::mount(Time stamp) const {
+  return to_transform(base_T_laser_, stamp, frames_.base, frames_.laser);
+}
+
+ReflectorArray SimulationMessenger::reflectors_of(const SimulationStep::Scan& scan) const {
+  ReflectorArray message;
+  message.header = header_of(scan.scan.first_beam, frames_.laser);
+  for (const ReflectorDetection& found : scan.reflectors) {
+    message.reflectors.push_back(
+        to_message(found, message.reflectors.size(), reflector_diameter_));
+  }
+  return message;
+}
+
+void SimulationMessenger::add_odometry(const SimulationStep& step, SimulationMessages& messages) {
+  odometry_.add(step.encoders);
+  nav_msgs::Odometry& message = messages.odometry;
+  message.header = header_of(step.encoders.stamp, frames_.odom);
+  message.child_frame_id = frames_.base;
+  message.pose.pose = falko_slam::to_message(odometry_.odom_T_base());
+  message.twist.twist.linear.x = odometry_.velocity().forward;
+  message.twist.twist.angular.z = odometry_.velocity().turn_rate;
+  messages.odom_T_base =
+      to_transform(odometry_.odom_T_base(), step.encoders.stamp, frames_.odom, frames_.base);
+}
+
+SimulationMessages SimulationMessenger::of(const SimulationStep& step) {
+  SimulationMessages messages;
+  for (const SimulationStep::Scan& scan : step.scans) {
+    messages.scans.push_back(
+        falko_slam::to_message(as_raw_scan(laser_, scan.scan), frames_.laser));
+    if (laser_.intensities) messages.reflectors.push_back(reflectors_of(scan));
+  }
+  messages.encoders = falko_slam::to_message(step.encoders, frames_.base);
+  messages.joints = joints_.next(step.encoders);
+  add_odometry(step, messages);
+  messages.truth.header = header_of(step.encoders.stamp, frames_.world);
+  messages.truth.pose = falko_slam::to_message(step.world_T_base);
+  return messages;
+}
+
+}  // namespace falko_slam
