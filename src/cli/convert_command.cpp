@@ -6,6 +6,8 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "falko_slam/ros_bridge/carmen_bag.hpp"
+#include "falko_slam/ros_bridge/tricycle_bag.hpp"
+#include "falko_slam/sensor/log_kind.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -17,19 +19,35 @@ struct ConvertOptions {
   CarmenBagParams params;
 };
 
+std::string convert_tricycle_log(const ConvertOptions& options) {
+  TricycleBagParams params;
+  params.odom_frame = options.params.odom_frame;
+  params.base_frame = options.params.base_frame;
+  params.laser_frame = options.params.laser_frame;
+  params.replace = options.params.replace;
+  return falko_slam::convert_tricycle_log(options.log, options.bag, params);
+}
+
+std::string convert(const ConvertOptions& options) {
+  const bool tricycle = recognize_log(options.log) == LogKind::kTricycle;
+  return tricycle ? convert_tricycle_log(options)
+                  : convert_carmen_log(options.log, options.bag, options.params);
+}
+
 }  // namespace
 
 void add_convert(CLI::App& app) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* verb = app.add_subcommand("convert", "CARMEN log to ROS bag");
-  verb->add_option("log", options->log, "CARMEN log, plain, .gz or .bz2")->required();
+  CLI::App* verb = app.add_subcommand("convert", "CARMEN log or a tricycle's log to ROS bag");
+  verb->add_option("log", options->log, "the log, plain, .gz or .bz2; its content tells which")
+      ->required();
   verb->add_option("bag", options->bag, "bag to write")->required();
   verb->add_option("--odom-frame", options->params.odom_frame, "default odom");
   verb->add_option("--base-frame", options->params.base_frame, "default base_link");
   verb->add_option("--laser-frame", options->params.laser_frame, "default laser");
   verb->add_flag("--force", options->params.replace, "replace an existing bag");
   verb->callback([options] {
-    std::cout << convert_carmen_log(options->log, options->bag, options->params) << "\n"
+    std::cout << convert(*options) << "\n"
               << "wrote " << options->bag << ": " << describe_resources() << "\n";
   });
 }

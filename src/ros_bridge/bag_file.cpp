@@ -59,6 +59,12 @@ ros::Time BagFile::next_time(Time time) {
   return last_;
 }
 
+std::string BagFile::describe_moved_times() const {
+  if (moved_times_ == 0) return "";
+  return "; " + std::to_string(moved_times_) +
+         " messages play later than their stamps say, so that the bag's time never runs back";
+}
+
 void BagFile::finish() {
   close();
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(std::strerror(errno));

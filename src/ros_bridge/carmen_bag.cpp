@@ -87,16 +87,12 @@ std::string convert_carmen_log(const std::string& log, const std::string& bag,
   BagFile file(bag, params.replace);
   CarmenBagWriter writer(file, params);
   while (const auto record = reader.next()) std::visit(writer, *record);
-  std::string done = describe(reader.report());
+  const std::string done = describe(reader.report());
   if (reader.report().scans + reader.report().odometry == 0) {
     throw std::runtime_error(log + ": nothing to convert in " + done);
   }
   file.finish();
-  if (file.moved_times() > 0) {
-    done += "; " + std::to_string(file.moved_times()) +
-            " messages play later than their stamps say, so that the bag's time never runs back";
-  }
-  return done;
+  return done + file.describe_moved_times();
 }
 
 }  // namespace falko_slam

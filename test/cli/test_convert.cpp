@@ -1,10 +1,12 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include "support/bag_contents.hpp"
 #include "support/carmen_lines.hpp"
 #include "support/command.hpp"
+#include "support/tricycle_lines.hpp"
 
 namespace falko_slam {
 namespace {
@@ -60,6 +62,43 @@ TEST_F(ConvertCommand, NamesALogThatIsNone) {
     EXPECT_TRUE(result.complains("falko: " + log + ": ")) << result.errors;
   }
   EXPECT_EQ(folder_.names(), (std::set<std::string>{"empty.log"}));
+}
+
+TEST_F(ConvertCommand, KnowsTheLogOfATricycleByItsContent) {
+  for (const char* name : {"test.log", "test.log.gz", "test.log.bz2"}) {
+    const auto result =
+        falko({"convert", folder_.write(name, test::small_tricycle_log()), bag_, "--force",
+               "--odom-frame", "o", "--base-frame", "b", "--laser-frame", "l"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_TRUE(result.says("3 encoder readings with poses")) << result.output;
+    EXPECT_TRUE(result.says("nominal values: wheelbase 1.4 m")) << result.output;
+    EXPECT_FALSE(result.says("play later")) << result.output;
+    EXPECT_EQ(test::bag_messages(bag_).size(), 16U) << name;
+    const auto mounts = test::bag_messages_on<tf2_msgs::TFMessage>(bag_, "/tf_static");
+    ASSERT_EQ(mounts.size(), 1U);
+    EXPECT_EQ(mounts[0].transforms.at(0).header.frame_id, "b");
+    EXPECT_EQ(mounts[0].transforms.at(0).child_frame_id, "l");
+    const auto transforms = test::bag_messages_on<tf2_msgs::TFMessage>(bag_, "/tf");
+    EXPECT_EQ(transforms.at(0).transforms.at(0).header.frame_id, "o");
+  }
+}
+
+TEST_F(ConvertCommand, SaysHowManyMessagesOfATricycleWereMoved) {
+  const std::string log = test::tricycle_header() +
+                          test::tricycle_line("2", "1 1", "0 0 0", "0 0 0") +
+                          test::tricycle_line("1", "1 1", "0 0 0", "0 0 0");
+  const auto result = falko({"convert", folder_.write("test.log", log), bag_});
+  EXPECT_TRUE(result.says("5 messages play later than their stamps say")) << result.output;
+}
+
+TEST_F(ConvertCommand, SaysThatALogIsOfNeitherKind) {
+  const std::string log = folder_.write("neither.txt", "time flies\nlike an arrow\n");
+  const auto result = falko({"convert", log, bag_});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.errors, "falko: " + log +
+                               ": neither a CARMEN log nor a tricycle's log: none of 2 lines "
+                               "begins as theirs do\n");
+  EXPECT_EQ(folder_.names(), (std::set<std::string>{"neither.txt"}));
 }
 
 }  // namespace

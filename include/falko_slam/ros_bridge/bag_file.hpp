@@ -48,6 +48,8 @@ class BagFile {
 
   /// Messages earlier than one before them.
   std::size_t moved_times() const { return moved_times_; }
+  /// Says so in words that follow others; empty if there are none.
+  std::string describe_moved_times() const;
 
  private:
   template <class Work>
