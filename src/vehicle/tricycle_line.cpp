@@ -13,6 +13,9 @@
 namespace falko_slam {
 namespace {
 
+// Its nanoseconds still fit into 64 bits.
+constexpr std::chrono::seconds kLatest(9'000'000'000);
+
 std::vector<std::string> words_of(std::string line) {
   for (char& letter : line) {
     if (letter == '[' || letter == ']' || letter == ',') letter = ' ';
@@ -45,7 +48,7 @@ std::optional<Time> time_of(const std::string& text) {
   }
   nanoseconds.resize(9, '0');
   const auto whole = std::chrono::seconds(std::stoll(seconds));
-  if (whole > std::chrono::hours(24 * 365 * 290LL)) return std::nullopt;
+  if (whole > kLatest) return std::nullopt;
   return Time(whole + std::chrono::nanoseconds(std::stoll(nanoseconds)));
 }
 
