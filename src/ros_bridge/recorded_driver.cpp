@@ -56,8 +56,8 @@ RecordedDrive read_commands(const Recorded& recorded, const VehicleModel& vehicl
   });
   const std::string count = std::to_string(commands.size());
   RecordedDrive drive;
-  drive.driver = recorded_commands(std::move(commands),
-                                   from_seconds(vehicle.actuators.command_timeout));
+  drive.driver =
+      recorded_commands(std::move(commands), from_seconds(vehicle.actuators.command_timeout));
   drive.description = count + " commands on " + recorded.topic;
   return drive;
 }
@@ -69,7 +69,8 @@ RecordedDrive drive_of(std::vector<EncoderReading> readings, const Recorded& rec
   }
   RecordedDrive drive;
   drive.first_drive_ticks = readings.front().drive_ticks;
-  drive.description = std::to_string(readings.size()) + " readings of encoders on " + recorded.topic;
+  drive.description =
+      std::to_string(readings.size()) + " readings of encoders on " + recorded.topic;
   drive.driver = recorded_encoders(std::move(readings), vehicle.encoders);
   return drive;
 }

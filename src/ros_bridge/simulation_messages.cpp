@@ -53,8 +53,7 @@ ReflectorArray SimulationMessenger::reflectors_of(const SimulationStep::Scan& sc
   ReflectorArray message;
   message.header = header_of(scan.scan.first_beam, frames_.laser);
   for (const ReflectorDetection& found : scan.reflectors) {
-    message.reflectors.push_back(
-        to_message(found, message.reflectors.size(), reflector_diameter_));
+    message.reflectors.push_back(to_message(found, message.reflectors.size(), reflector_diameter_));
   }
   return message;
 }
@@ -74,8 +73,7 @@ void SimulationMessenger::add_odometry(const SimulationStep& step, SimulationMes
 SimulationMessages SimulationMessenger::of(const SimulationStep& step) {
   SimulationMessages messages;
   for (const SimulationStep::Scan& scan : step.scans) {
-    messages.scans.push_back(
-        falko_slam::to_message(as_raw_scan(laser_, scan.scan), frames_.laser));
+    messages.scans.push_back(falko_slam::to_message(as_raw_scan(laser_, scan.scan), frames_.laser));
     if (laser_.intensities) messages.reflectors.push_back(reflectors_of(scan));
   }
   messages.encoders = falko_slam::to_message(step.encoders, frames_.base);

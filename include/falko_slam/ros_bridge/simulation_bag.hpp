@@ -14,10 +14,10 @@ struct SimulationBagParams {
   SimulationFrames frames;
   Time start{std::chrono::seconds(1)};  ///< stamp of the first scan
   std::uint64_t seed = 1;
-  double duration = 0.0;     ///< [s]; 0: until the drive is over
-  std::string drive_bag;     ///< who leads the vehicle, read_drive(); empty: the scenario does
-  std::string drive_topic;   ///< in that bag; empty: the only one that there is
-  bool replace = false;      ///< an existing bag
+  double duration = 0.0;    ///< [s]; 0: until the drive is over
+  std::string drive_bag;    ///< who leads the vehicle, read_drive(); empty: the scenario does
+  std::string drive_topic;  ///< in that bag; empty: the only one that there is
+  bool replace = false;     ///< an existing bag
 };
 
 struct SimulationBagReport {
@@ -26,14 +26,14 @@ struct SimulationBagReport {
   std::string drive;     ///< one line: who led it
 };
 
-/// Simulates as fast as it can and writes what the vehicle publishes to a bag: `scan`, `reflectors`,
-/// `encoders`, `joint_states`, `odom`, `tf`, `ground_truth`, and latched `tf_static`, `world_markers`
-/// and, in the end, `ground_truth_path`. The same scenario, seed and drive give the same bytes.
+/// Simulates as fast as it can and writes what the vehicle publishes to a bag: `scan`,
+/// `reflectors`, `encoders`, `joint_states`, `odom`, `tf`, `ground_truth`, and latched `tf_static`,
+/// `world_markers` and, in the end, `ground_truth_path`. The same scenario, seed and drive give the
+/// same bytes.
 ///
 /// Each message has the time at which a vehicle could have sent it: scans that of their last beam.
 /// `progress` is called after each scan. Throws std::runtime_error that names the file.
 SimulationBagReport simulate_to_bag(Scenario scenario, const SimulationBagParams& params,
-                                    const std::string& bag,
-                                    const std::function<void()>& progress);
+                                    const std::string& bag, const std::function<void()>& progress);
 
 }  // namespace falko_slam

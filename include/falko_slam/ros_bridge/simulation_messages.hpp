@@ -33,9 +33,9 @@ struct SimulationMessages {
   std::vector<ReflectorArray> reflectors;     ///< one for each scan of a scanner with intensities
   TricycleEncoders encoders;
   sensor_msgs::JointState joints;
-  nav_msgs::Odometry odometry;         ///< as the vehicle's controller knows it
-  tf2_msgs::TFMessage odom_T_base;     ///< the same
-  geometry_msgs::PoseStamped truth;    ///< of base_link
+  nav_msgs::Odometry odometry;       ///< as the vehicle's controller knows it
+  tf2_msgs::TFMessage odom_T_base;   ///< the same
+  geometry_msgs::PoseStamped truth;  ///< of base_link
 };
 
 /// Turns the steps of a simulation into messages. The vehicle's odometry uses the parameters that

@@ -6,15 +6,17 @@ namespace falko_slam {
 namespace topics {
 
 // Names before remapping, relative to the node's namespace.
-constexpr char kScan[] = "scan";                       ///< sensor_msgs/LaserScan
-constexpr char kOdometry[] = "odom";                   ///< nav_msgs/Odometry
-constexpr char kTf[] = "tf";                           ///< tf2_msgs/TFMessage
-constexpr char kTfStatic[] = "tf_static";              ///< tf2_msgs/TFMessage, latched
-constexpr char kGroundTruth[] = "ground_truth";        ///< geometry_msgs/PoseStamped
-constexpr char kEncoders[] = "encoders";               ///< falko_slam/TricycleEncoders
-constexpr char kJointStates[] = "joint_states";        ///< sensor_msgs/JointState
-constexpr char kDriveCommand[] = "drive_command";      ///< falko_slam/DriveCommand
-constexpr char kReflectors[] = "reflectors";           ///< falko_slam/ReflectorArray
+constexpr char kScan[] = "scan";                          ///< sensor_msgs/LaserScan
+constexpr char kOdometry[] = "odom";                      ///< nav_msgs/Odometry
+constexpr char kTf[] = "tf";                              ///< tf2_msgs/TFMessage
+constexpr char kTfStatic[] = "tf_static";                 ///< tf2_msgs/TFMessage, latched
+constexpr char kGroundTruth[] = "ground_truth";           ///< geometry_msgs/PoseStamped
+constexpr char kEncoders[] = "encoders";                  ///< falko_slam/TricycleEncoders
+constexpr char kJointStates[] = "joint_states";           ///< sensor_msgs/JointState
+constexpr char kDriveCommand[] = "drive_command";         ///< falko_slam/DriveCommand
+constexpr char kReflectors[] = "reflectors";              ///< falko_slam/ReflectorArray
+constexpr char kGroundTruthPath[] = "ground_truth_path";  ///< nav_msgs/Path, latched
+constexpr char kWorldMarkers[] = "world_markers";      ///< visualization_msgs/MarkerArray, latched
 constexpr char kFeatures[] = "features";               ///< falko_slam/FeatureArray
 constexpr char kFeatureMarkers[] = "feature_markers";  ///< visualization_msgs/MarkerArray
 constexpr char kKeypointCloud[] = "keypoint_cloud";    ///< sensor_msgs/PointCloud2

@@ -9,7 +9,8 @@
 
 namespace falko_slam {
 
-/// A world for rviz: what stands ("world"), reflectors ("reflectors") and what moves or comes and goes
+/// A world for rviz: what stands ("world"), reflectors ("reflectors") and what moves or comes and
+/// goes
 /// ("things"), where it is at `seconds` since the world began.
 visualization_msgs::MarkerArray world_markers(const World& world, double seconds,
                                               const std_msgs::Header& header);

@@ -22,8 +22,8 @@ struct SimulatedScan {
   std::vector<float> intensities;  ///< empty if the scanner has none
 };
 
-/// As the driver of the scanner publishes it: angle_max is one increment past the last beam, no echo
-/// is 0, the stamp is that of the first beam. Borrows the arrays.
+/// As the driver of the scanner publishes it: angle_max is one increment past the last beam, no
+/// echo is 0, the stamp is that of the first beam. Borrows the arrays.
 RawScan as_raw_scan(const LaserModel& laser, const SimulatedScan& scan);
 
 /// A scanner on a vehicle: each beam leaves from where the vehicle is at that instant, things that

@@ -1,0 +1,100 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the simulator publishes and hears.
+#include <rosgraph_msgs/Clock.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cmath>
+
+#include "falko_slam/ros_bridge/time_conversion.hpp"
+#include "falko_slam/ros_bridge/topics.hpp"
+#include "falko_slam/ros_bridge/world_markers.hpp"
+#include "nav350_simulator_nodelet.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr double kPathStep = 0.1;            // of the true path [m]
+constexpr std::size_t kLongestPath = 20000;  // then its older half is forgotten
+constexpr double kWarningPeriod = 5.0;       // [s]
+
+double distance(const geometry_msgs::PoseStamped& a, const geometry_msgs::PoseStamped& b) {
+  return std::hypot(a.pose.position.x - b.pose.position.x, a.pose.position.y - b.pose.position.y);
+}
+
+}  // namespace
+
+void Nav350SimulatorNodelet::publish(const SimulationMessages& messages) {
+  if (is_clock_) {
+    rosgraph_msgs::Clock clock;
+    clock.clock = messages.encoders.header.stamp;
+    clock_.publish(clock);
+  }
+  if (params_.publish_tf) transforms_->sendTransform(messages.odom_T_base.transforms);
+  encoders_.publish(messages.encoders);
+  joints_.publish(messages.joints);
+  odometry_.publish(messages.odometry);
+  truth_.publish(messages.truth);
+  for (const sensor_msgs::LaserScan& scan : messages.scans) {
+    scans_.publish(boost::make_shared<sensor_msgs::LaserScan>(scan));
+  }
+  for (const ReflectorArray& found : messages.reflectors) reflectors_.publish(found);
+  publish_slowly(messages.truth);
+}
+
+void Nav350SimulatorNodelet::publish_slowly(const geometry_msgs::PoseStamped& truth) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (path_.poses.empty() || distance(path_.poses.back(), truth) >= kPathStep) {
+    path_.poses.push_back(truth);
+    if (path_.poses.size() > kLongestPath) {
+      path_.poses.erase(path_.poses.begin(), path_.poses.begin() + kLongestPath / 2);
+    }
+  }
+  const double seconds = (truth.header.stamp - last_slow_).toSec();
+  if (seconds >= 0.0 && seconds < 1.0) return;
+  last_slow_ = truth.header.stamp;
+  path_.header.stamp = truth.header.stamp;
+  const double elapsed = to_seconds(from_ros(truth.header.stamp) - simulation_->start());
+  true_path_.publish(path_);
+  markers_.publish(world_markers(scenario_.world, elapsed, path_.header));
+}
+
+void Nav350SimulatorNodelet::on_command(const DriveCommandConstPtr& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    commands_->command({message->wheel_speed, message->steering}, simulation_->time());
+  } catch (const std::invalid_argument& error) {
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "drive command refused: " << error.what());
+  }
+}
+
+bool Nav350SimulatorNodelet::on_reset(std_srvs::Trigger::Request&,
+                                      std_srvs::Trigger::Response& response) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  begin(simulation_->time());
+  response.success = 1;
+  response.message = "the vehicle is at its start";
+  return true;
+}
+
+void Nav350SimulatorNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  status.summary(diagnostic_msgs::DiagnosticStatus::OK, "running");
+  if (drive_is_over_) status.summary(diagnostic_msgs::DiagnosticStatus::OK, "the drive is over");
+  if (commands_ && !commands_->is_led(simulation_->time())) {
+    status.summary(
+        diagnostic_msgs::DiagnosticStatus::OK,
+        "no command on " + getNodeHandle().resolveName(topics::kDriveCommand) + ": it halts");
+  }
+  if (seconds_late_ > to_seconds(period_)) {
+    status.summary(diagnostic_msgs::DiagnosticStatus::WARN, "slower than real time");
+  }
+  status.add("scenario", scenario_.name);
+  status.add("wheel speed [m/s]", simulation_->vehicle().wheel_speed());
+  status.add("steering [rad]", simulation_->vehicle().steering());
+  status.add("late [s]", seconds_late_);
+  status.add("times that lost time was given up", given_up_);
+}
+
+}  // namespace falko_slam
