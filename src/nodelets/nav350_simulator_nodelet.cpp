@@ -140,6 +140,7 @@ void Nav350SimulatorNodelet::begin(Time now) {
 // What happens in a period is worked out while it lasts and published when it ends.
 void Nav350SimulatorNodelet::run() {
   RealTime real_time(params_.rate);
+  publish(first_messages());
   while (!stop_ && ros::ok()) {
     const SimulationMessages messages = advance();
     real_time.wait_for(period_);
@@ -150,6 +151,11 @@ void Nav350SimulatorNodelet::run() {
     }
     publish(messages);
   }
+}
+
+SimulationMessages Nav350SimulatorNodelet::first_messages() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return messenger_->of(simulation_->state());
 }
 
 SimulationMessages Nav350SimulatorNodelet::advance() {

@@ -10,6 +10,7 @@
 #include <std_msgs/String.h>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/ros_bridge/bag_file.hpp"
 #include "support/bag_contents.hpp"
 #include "support/command.hpp"
@@ -69,7 +70,7 @@ TEST_F(SimulateCommand, WritesScansAsTheSickDriverDoes) {
     EXPECT_EQ(scan.header.stamp, ros::Time(1.0) + ros::Duration(0.125 * static_cast<double>(i)));
     EXPECT_FLOAT_EQ(scan.angle_min, static_cast<float>(-kPi));
     EXPECT_FLOAT_EQ(scan.angle_max, static_cast<float>(kPi));  // one past the last beam
-    EXPECT_FLOAT_EQ(scan.angle_increment, 0.00436332F);
+    EXPECT_NEAR(scan.angle_increment, 0.00436332, 5e-9);
     EXPECT_FLOAT_EQ(scan.scan_time, 0.125F);
     EXPECT_FLOAT_EQ(scan.time_increment, 8.680556e-5F);
     EXPECT_FLOAT_EQ(scan.range_min, 0.05F);
@@ -159,7 +160,7 @@ TEST_F(SimulateCommand, ListsTheTopicsOfABagThatHasNoDrive) {
 
 TEST_F(SimulateCommand, StandsForAsLongAsItIsTold) {
   ASSERT_EQ(simulate("a.bag", {"--duration", "1"}).exit_code, 0);
-  EXPECT_EQ(messages<TricycleEncoders>("a.bag", "/encoders").size(), 50U);
+  EXPECT_EQ(messages<TricycleEncoders>("a.bag", "/encoders").size(), 51U);
 }
 
 TEST_F(SimulateCommand, NamesFileLineAndKeyOfABadScenario) {
@@ -168,6 +169,15 @@ TEST_F(SimulateCommand, NamesFileLineAndKeyOfABadScenario) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_TRUE(result.complains("bad.yaml: line 2: world[0].box.size")) << result.errors;
   EXPECT_FALSE(std::ifstream(folder_.file("a.bag")).is_open());
+}
+
+TEST_F(SimulateCommand, WritesTheTruthOfEachScan) {
+  ASSERT_EQ(simulate("a.bag", {"--truth", folder_.file("truth.tum")}).exit_code, 0);
+  const auto scans = messages<sensor_msgs::LaserScan>("a.bag", "/scan");
+  const Trajectory truth = read_tum(folder_.file("truth.tum"));
+  ASSERT_EQ(truth.size(), scans.size());
+  EXPECT_EQ(truth.back().stamp, from_ros(scans.back().header.stamp));
+  EXPECT_EQ(truth.front().map_T_base.translation().norm(), 0.0);
 }
 
 TEST_F(SimulateCommand, NeedsADrive) {
