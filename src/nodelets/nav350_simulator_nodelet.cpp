@@ -10,7 +10,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
-#include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/recorded_driver.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
@@ -127,14 +126,7 @@ void Nav350SimulatorNodelet::begin(Time now) {
   drive_is_over_ = false;
   path_ = nav_msgs::Path();
   path_.header.frame_id = params_.frames.world;
-  std::vector<geometry_msgs::TransformStamped> mounts;
-  if (params_.publish_tf) mounts = messenger_->mount(now).transforms;
-  if (params_.publish_world_tf) {
-    mounts.push_back(
-        to_transform(scenario_.world_T_start, now, params_.frames.world, params_.frames.odom)
-            .transforms.front());
-  }
-  if (!mounts.empty()) static_transforms_->sendTransform(mounts);
+  if (params_.publish_tf) static_transforms_->sendTransform(messenger_->mount(now).transforms);
 }
 
 // What happens in a period is worked out while it lasts and published when it ends.
