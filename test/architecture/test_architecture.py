@@ -25,7 +25,7 @@ FLOORS = {
     "ros_bridge": 7, "evaluation": 7,
     "nodelets": 8, "cli": 8,
 }
-ROOMS_WITH_ROS = {"ros_bridge", "nodelets", "cli"}
+ROOMS_WITH_ROS = {"ros_bridge", "nodelets"}
 ROS_INCLUDE = re.compile(
     r"^(ros|rosbag|rosconsole|tf|tf2|tf2_ros|nodelet|pluginlib|class_loader|actionlib|message_filters|"
     r"dynamic_reconfigure|diagnostic_updater|pcl_ros|pcl_conversions|XmlRpc\w*|[a-z0-9_]+_msgs|"
