@@ -10,6 +10,9 @@
 namespace falko_slam {
 namespace {
 
+constexpr double kThere = 0.002;    // [m]
+constexpr double kRounding = 1e-6;  // of poses that are the same [m]
+
 /// A wait: over when its time is.
 class Wait {
  public:
@@ -36,12 +39,12 @@ class Arc {
   std::optional<WheelCommand> next(const SimulatedVehicle& vehicle) {
     advance(vehicle.world_T_base());
     const double remaining = remaining_way();
-    if (remaining <= 0.002) {
+    if (remaining <= kThere) {
       if (vehicle.wheel_speed() == 0.0) return std::nullopt;
       return WheelCommand{0.0, step_.steering};
     }
     const bool steered = std::abs(vehicle.steering() - step_.steering) < 1e-9;
-    if (!steered && way_ == 0.0) return WheelCommand{0.0, step_.steering};
+    if (!steered && way_ < kRounding) return WheelCommand{0.0, step_.steering};
     const double speed = std::min(std::abs(step_.wheel_speed),
                                   braking_speed(remaining, model_.actuators.acceleration));
     return WheelCommand{std::copysign(speed, step_.wheel_speed), step_.steering};

@@ -52,6 +52,20 @@ TEST(ScenarioDriver, EndsArcsAfterTheirTurn) {
   }
 }
 
+TEST(ScenarioDriver, SteersAtRestBeforeEachArc) {
+  const VehicleModel model;
+  SimulatedVehicle vehicle(model, {30.1, -7.3, 0.77}, kBegin, 1);
+  const auto driver = scenario_driver(
+      {ArcStep{0.5, 0.2, 0.5, 0.0}, WaitStep{0.5}, ArcStep{0.5, 0.6, 0.5, 0.0}}, model);
+  while (const auto input = driver->next(vehicle, kPeriod)) {
+    const double before = vehicle.steering();
+    vehicle.drive(kPeriod, std::get<WheelCommand>(*input));
+    if (vehicle.wheel_speed() != 0.0) {
+      EXPECT_EQ(vehicle.steering(), before);
+    }
+  }
+}
+
 TEST(ScenarioDriver, EndsArcsAfterTheirWay) {
   const Led result = led({ArcStep{0.8, 0.0, 0.0, 3.0}});
 
