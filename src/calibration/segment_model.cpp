@@ -20,11 +20,11 @@ struct BaseMotion {
   Eigen::Vector3d dslip = Eigen::Vector3d::Zero(), dsteer = Eigen::Vector3d::Zero();
 
   void drive(const VehicleCalibration& calibration, const ArcControl& arc,
-             const StretchError& error);
+             const EncoderError& error);
 };
 
 void BaseMotion::drive(const VehicleCalibration& calibration, const ArcControl& arc,
-                       const StretchError& error) {
+                       const EncoderError& error) {
   if (arc.ticks == 0.0) return;
   const TricycleParams& tricycle = calibration.tricycle;
   const double ticks = arc.ticks * (1.0 + error.slip);
@@ -63,7 +63,7 @@ MeasuredStretch stretch_of(const PathSegment& segment) {
 
 // s_pos = R(l_theta)^T v with v = r_pos + (R(r_theta) - I) l_pos, s_theta = r_theta.
 StretchPrediction predict(const VehicleCalibration& calibration,
-                          const std::vector<ArcControl>& arcs, const StretchError& error) {
+                          const std::vector<ArcControl>& arcs, const EncoderError& error) {
   BaseMotion base;
   for (const ArcControl& arc : arcs) base.drive(calibration, arc, error);
   const Pose2& l = calibration.base_T_laser;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "falko_slam/calibration/calibration_noise.hpp"
 #include "falko_slam/calibration/path_segment.hpp"
 #include "falko_slam/calibration/vehicle_calibration.hpp"
 
@@ -14,12 +15,6 @@ namespace falko_slam {
 struct ArcControl {
   double ticks = 0.0;
   double steering = 0.0;  ///< [rad]
-};
-
-/// What the encoders do not say of a stretch of the way: its arcs have in common
-struct StretchError {
-  double slip = 0.0;   ///< the share by which the way is longer than the ticks
-  double steer = 0.0;  ///< what the steering is more than measured [rad]
 };
 
 /// One measurement of the laser's motion along arcs: of a path segment, or of a window of a drive.
@@ -35,9 +30,9 @@ MeasuredStretch stretch_of(const PathSegment& segment);
 struct StretchPrediction {
   Eigen::Vector3d motion;
   Eigen::Matrix<double, 3, kCalibrationParameters> dparameters;
-  Eigen::Vector3d dslip, dsteer;  ///< by the two of StretchError
+  Eigen::Vector3d dslip, dsteer;  ///< by the two of EncoderError
 };
 StretchPrediction predict(const VehicleCalibration& calibration,
-                          const std::vector<ArcControl>& arcs, const StretchError& error = {});
+                          const std::vector<ArcControl>& arcs, const EncoderError& error = {});
 
 }  // namespace falko_slam
