@@ -1,11 +1,13 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 struct SimulateOptions {
   std::string scenario;
   std::string out;
+  std::string truth;
   SimulationBagParams params;
 };
 
@@ -25,6 +28,7 @@ void simulate(const SimulateOptions& options) {
   Progress progress("scans");
   const SimulationBagReport report =
       simulate_to_bag(scenario, options.params, options.out, [&] { progress.step(); });
+  if (!options.truth.empty()) write_tum(options.truth, report.truth);
   const double wall =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::cout << report.scans << " scans of " << scenario.laser.beams << " beams, " << report.seconds
@@ -44,6 +48,8 @@ void add_simulate(CLI::App& app) {
                    "YAML file, see doc/scenarios.md; those in config/scenarios for example")
       ->required();
   verb->add_option("--out", options->out, "bag to write")->required();
+  verb->add_option("--truth", options->truth,
+                   "file for the true trajectory, as `evaluate slam --truth` reads it");
   verb->add_option("--drive", params.drive_bag,
                    "bag with commands, encoders or joint states that drive the vehicle; default: "
                    "the scenario's drive");

@@ -10,7 +10,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
-#include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/recorded_driver.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
@@ -127,19 +126,13 @@ void Nav350SimulatorNodelet::begin(Time now) {
   drive_is_over_ = false;
   path_ = nav_msgs::Path();
   path_.header.frame_id = params_.frames.world;
-  std::vector<geometry_msgs::TransformStamped> mounts;
-  if (params_.publish_tf) mounts = messenger_->mount(now).transforms;
-  if (params_.publish_world_tf) {
-    mounts.push_back(
-        to_transform(scenario_.world_T_start, now, params_.frames.world, params_.frames.odom)
-            .transforms.front());
-  }
-  if (!mounts.empty()) static_transforms_->sendTransform(mounts);
+  if (params_.publish_tf) static_transforms_->sendTransform(messenger_->mount(now).transforms);
 }
 
 // What happens in a period is worked out while it lasts and published when it ends.
 void Nav350SimulatorNodelet::run() {
   RealTime real_time(params_.rate);
+  publish(first_messages());
   while (!stop_ && ros::ok()) {
     const SimulationMessages messages = advance();
     real_time.wait_for(period_);
@@ -150,6 +143,11 @@ void Nav350SimulatorNodelet::run() {
     }
     publish(messages);
   }
+}
+
+SimulationMessages Nav350SimulatorNodelet::first_messages() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return messenger_->of(simulation_->state());
 }
 
 SimulationMessages Nav350SimulatorNodelet::advance() {

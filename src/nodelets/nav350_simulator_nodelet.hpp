@@ -46,6 +46,7 @@ class Nav350SimulatorNodelet : public nodelet::Nodelet {
   /// The vehicle at its start, at this time.
   void begin(Time now);
   void run();
+  SimulationMessages first_messages();
   SimulationMessages advance();
   void publish(const SimulationMessages& messages);
   /// What needs no more than once a second.

@@ -32,6 +32,7 @@ void Nav350SimulatorNodelet::publish(const SimulationMessages& messages) {
     clock_.publish(clock);
   }
   if (params_.publish_tf) transforms_->sendTransform(messages.odom_T_base.transforms);
+  if (params_.publish_world_tf) transforms_->sendTransform(messages.world_T_odom.transforms);
   encoders_.publish(messages.encoders);
   joints_.publish(messages.joints);
   odometry_.publish(messages.odometry);

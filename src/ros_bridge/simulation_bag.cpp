@@ -96,6 +96,7 @@ SimulationBagReport simulate_to_bag(Scenario scenario, const SimulationBagParams
   Simulation simulation(scenario, params.start, params.seed);
   BagFile file(bag, params.replace);
   SimulationBagWriter writer(file, scenario, params);
+  writer.write(simulation.state());
   const Time end = params.start + from_seconds(params.duration);
   while (params.duration <= 0.0 || simulation.time() < end) {
     auto input = driver->next(simulation.vehicle(), simulation.period());
@@ -103,7 +104,10 @@ SimulationBagReport simulate_to_bag(Scenario scenario, const SimulationBagParams
     if (!input) input = WheelCommand{0.0, simulation.vehicle().steering()};
     const SimulationStep step = simulation.step(*input);
     writer.write(step);
-    for (std::size_t i = 0; i < step.scans.size(); ++i) progress();
+    for (const SimulationStep::Scan& scan : step.scans) {
+      report.truth.push_back({scan.scan.first_beam, scan.world_T_base});
+      progress();
+    }
     report.scans += step.scans.size();
   }
   writer.finish(simulation.time());

@@ -81,6 +81,8 @@ SimulationMessages SimulationMessenger::of(const SimulationStep& step) {
   add_odometry(step, messages);
   messages.truth.header = header_of(step.encoders.stamp, frames_.world);
   messages.truth.pose = falko_slam::to_message(step.world_T_base);
+  messages.world_T_odom = to_transform(step.world_T_base * odometry_.odom_T_base().inverse(),
+                                       step.encoders.stamp, frames_.world, frames_.odom);
   return messages;
 }
 

@@ -17,7 +17,7 @@ Marker lines_of(const char* name, const std_msgs::Header& header) {
   marker.ns = name;
   marker.type = Marker::LINE_LIST;
   marker.pose.orientation.w = 1.0;
-  marker.scale.x = 0.04;
+  marker.scale.x = 0.08;
   marker.color.a = 1.0F;
   return marker;
 }
@@ -64,7 +64,7 @@ Marker reflectors_of(const std::vector<Cylinder>& reflectors, const std_msgs::He
 
 MarkerArray world_markers(const World& world, double seconds, const std_msgs::Header& header) {
   Marker fixed = lines_of("world", header);
-  fixed.color.r = fixed.color.g = fixed.color.b = 0.45F;
+  fixed.color.r = fixed.color.g = fixed.color.b = 0.1F;
   Marker things = lines_of("things", header);
   things.color.r = 0.9F;
   things.color.g = 0.4F;

@@ -26,23 +26,48 @@ double bearing_of(const Eigen::Vector2d& direction) {
   return approximate_atan2(direction.y(), direction.x());
 }
 
-// Calls use(begin, end) with the rays of the beams between two bearings, wherever a turn puts them.
-template <class Use>
-void for_rays_between(const RayFan& fan, double from, double to, const Use& use) {
-  if (fan.bearing.empty()) return;
-  const double margin = fan.bearing_margin + kRounding;
-  const auto begin = fan.bearing.begin();
-  const double turns = std::ceil((fan.bearing.front() - to - margin) / kTwoPi);
-  std::size_t done = 0;  // beams, so that none is tried twice
-  for (double shift = turns * kTwoPi; from + shift - margin <= fan.bearing.back();
-       shift += kTwoPi) {
-    const auto first = std::lower_bound(begin, fan.bearing.end(), from + shift - margin);
-    const auto last = std::upper_bound(first, fan.bearing.end(), to + shift + margin);
-    const std::size_t first_beam = std::max(done, static_cast<std::size_t>(first - begin));
-    done = std::max(done, static_cast<std::size_t>(last - begin));
-    if (first_beam < done) use(first_beam * fan.rays_per_beam, done * fan.rays_per_beam);
+// Where in a fan the beams are that look into a range of bearings. They are nearly evenly spread:
+// how nearly is found out once.
+class BeamFinder {
+ public:
+  explicit BeamFinder(const RayFan& fan) : fan_(fan) {
+    const std::size_t beams = fan.beams();
+    if (beams < 2) return;
+    const double span = fan.bearing.back() - fan.bearing.front();
+    increment_ = span / static_cast<double>(beams - 1);
+    for (std::size_t i = 0; i < beams; ++i) {
+      const double even = fan.bearing.front() + static_cast<double>(i) * increment_;
+      margin_ = std::max(margin_, std::abs(fan.bearing[i] - even));
+    }
+    margin_ += fan.bearing_margin + kRounding;
   }
-}
+
+  // Calls use(begin, end) with the rays of these beams, wherever a turn puts them, none twice.
+  template <class Use>
+  void for_rays_between(double from, double to, const Use& use) const {
+    if (!(increment_ > 0.0)) return use(0, fan_.beams() * fan_.rays_per_beam);
+    const double first = fan_.bearing.front() + margin_;
+    const double last = fan_.bearing.back() + margin_;
+    double done = 0.0;  // beams
+    for (double shift = kTwoPi * std::ceil((first - 2.0 * margin_ - to) / kTwoPi);
+         from + shift <= last; shift += kTwoPi) {
+      const double begin = std::max(done, std::ceil((from + shift - first) / increment_));
+      const double end = std::floor((to + shift + margin_ - fan_.bearing.front()) / increment_);
+      done = std::clamp(end + 1.0, done, static_cast<double>(fan_.beams()));
+      if (begin >= done) continue;
+      use(static_cast<std::size_t>(begin) * fan_.rays_per_beam,
+          static_cast<std::size_t>(done) * fan_.rays_per_beam);
+    }
+  }
+
+ private:
+  const RayFan& fan_;
+  double increment_ = 0.0;  // [rad]
+  double margin_ = 0.0;     // [rad]
+};
+
+// Not less than asin(reach / distance), for a reach below the distance.
+double widest_turn(double reach, double distance) { return 0.5 * kPi * reach / distance; }
 
 // Two rays at once; comparisons give masks, `mask ? a : b` chooses by lane. An extension of GCC and
 // Clang.
@@ -91,7 +116,7 @@ void hit_cylinder(const Cylinder& cylinder, double target, RayFan& fan, std::siz
   }
 }
 
-void cast_face(const Face& face, double target, RayFan& fan) {
+void cast_face(const Face& face, double target, const BeamFinder& beams, RayFan& fan) {
   const auto hit = [&](std::size_t begin, std::size_t end) {
     hit_face(face, target, fan, begin, end);
   };
@@ -101,22 +126,23 @@ void cast_face(const Face& face, double target, RayFan& fan) {
   const Eigen::Vector2d to = face.to - fan.center;
   const double from_bearing = bearing_of(from);
   const double turn = angle_between(from_bearing, bearing_of(to));
-  const double from_margin = std::asin(fan.reach / from.norm());
-  const double to_margin = std::asin(fan.reach / to.norm());
-  for_rays_between(fan, std::min(from_bearing - from_margin, from_bearing + turn - to_margin),
-                   std::max(from_bearing + from_margin, from_bearing + turn + to_margin), hit);
+  const double from_margin = widest_turn(fan.reach, from.norm());
+  const double to_margin = widest_turn(fan.reach, to.norm());
+  beams.for_rays_between(std::min(from_bearing - from_margin, from_bearing + turn - to_margin),
+                         std::max(from_bearing + from_margin, from_bearing + turn + to_margin),
+                         hit);
 }
 
-void cast_cylinder(const Cylinder& cylinder, double target, RayFan& fan) {
+void cast_cylinder(const Cylinder& cylinder, double target, const BeamFinder& beams, RayFan& fan) {
   const auto hit = [&](std::size_t begin, std::size_t end) {
     hit_cylinder(cylinder, target, fan, begin, end);
   };
   const Eigen::Vector2d to = cylinder.center - fan.center;
   const double width = cylinder.radius + fan.reach;
   if (to.norm() <= width) return hit(0, fan.x.size());
-  const double half = std::asin(width / to.norm());
+  const double half = widest_turn(width, to.norm());
   const double middle = bearing_of(to);
-  for_rays_between(fan, middle - half, middle + half, hit);
+  beams.for_rays_between(middle - half, middle + half, hit);
 }
 
 double cosine_at(const Face& face, const RayFan& fan, std::size_t ray) {
@@ -159,9 +185,10 @@ void RayFan::resize(std::size_t beams) {
 }
 
 void cast(const Shape& shape, const std::vector<Surface>& surfaces, RayFan& fan) {
+  const BeamFinder beams(fan);
   double target = 0.0;
-  for (const Face& face : shape.faces) cast_face(face, target++, fan);
-  for (const Cylinder& cylinder : shape.cylinders) cast_cylinder(cylinder, target++, fan);
+  for (const Face& face : shape.faces) cast_face(face, target++, beams, fan);
+  for (const Cylinder& cylinder : shape.cylinders) cast_cylinder(cylinder, target++, beams, fan);
   light_up(shape, surfaces, fan);
 }
 

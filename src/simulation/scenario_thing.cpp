@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_thing.hpp"
 
+#include <limits>
+#include <optional>
+
 #include "scenario_values.hpp"
 #include "thing_copies.hpp"
 

@@ -33,15 +33,18 @@ Time Simulation::scan_begin() const {
   return start_ + from_seconds(static_cast<double>(scans_) * scenario_.laser.scan_period);
 }
 
+SimulationStep Simulation::state() const {
+  return {vehicle_.reading(), vehicle_.world_T_base(), {}};
+}
+
 SimulationStep Simulation::step(const DriveInput& input) {
   std::visit([&](const auto& motion) { vehicle_.drive(period_, motion); }, input);
-  SimulationStep result;
-  result.encoders = vehicle_.reading();
-  result.world_T_base = vehicle_.world_T_base();
+  SimulationStep result = state();
   const LaserModel& laser = scenario_.laser;
   const Duration sweep = from_seconds(static_cast<double>(laser.beams - 1) * laser.time_increment);
   for (; scan_begin() + sweep <= vehicle_.time(); ++scans_) {
     SimulationStep::Scan scan;
+    scan.world_T_base = vehicle_.track().at(scan_begin());
     scan.scan = scanner_.scan(scan_begin(), vehicle_.track(), scan_random_);
     scan.reflectors = report_reflectors(laser, scan.scan, reflector_diameter_);
     result.scans.push_back(std::move(scan));

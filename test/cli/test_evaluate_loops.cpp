@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "support/simulated_laser.hpp"
 #include "support/carmen_lines.hpp"
 #include "support/command.hpp"
 #include "support/seeds.hpp"
+#include "support/simulated_laser.hpp"
 
 namespace falko_slam {
 namespace {

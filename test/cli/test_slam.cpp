@@ -9,6 +9,7 @@
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/ros_bridge/scan_recording.hpp"
 #include "support/command.hpp"
+#include "support/office_scenario.hpp"
 
 namespace falko_slam {
 namespace {
@@ -25,7 +26,8 @@ class SlamCommand : public ::testing::Test {
   static void SetUpTestSuite() {
     recordings_ = std::make_unique<test::TemporaryFolder>();
     bag_ = recordings_->file("office.bag");
-    ASSERT_EQ(falko({"simulate", "--beams", "360", "--out", bag_}).exit_code, 0);
+    const std::string scenario = recordings_->write("office.yaml", test::office_scenario(360));
+    ASSERT_EQ(falko({"simulate", scenario, "--out", bag_}).exit_code, 0);
   }
   static void TearDownTestSuite() { recordings_.reset(); }
 

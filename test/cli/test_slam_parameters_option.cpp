@@ -4,6 +4,7 @@
 
 #include "falko_slam/map/map_file.hpp"
 #include "support/command.hpp"
+#include "support/office_scenario.hpp"
 
 namespace falko_slam {
 namespace {
@@ -14,7 +15,8 @@ class SlamParametersOption : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<test::TemporaryFolder>();
-    ASSERT_EQ(falko({"simulate", "--out", folder_->file("drive.bag")}).exit_code, 0);
+    const std::string scenario = folder_->write("office.yaml", test::office_scenario(1440));
+    ASSERT_EQ(falko({"simulate", scenario, "--out", folder_->file("drive.bag")}).exit_code, 0);
   }
   static void TearDownTestSuite() { folder_.reset(); }
 

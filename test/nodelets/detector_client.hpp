@@ -11,9 +11,9 @@
 #include <optional>
 #include <string>
 
-#include "support/simulated_laser.hpp"
 #include "spin_until.hpp"
 #include "support/seeds.hpp"
+#include "support/simulated_laser.hpp"
 
 namespace falko_slam {
 namespace test {

@@ -20,9 +20,9 @@
 
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
-#include "support/simulated_laser.hpp"
 #include "spin_until.hpp"
 #include "support/seeds.hpp"
+#include "support/simulated_laser.hpp"
 
 namespace falko_slam {
 namespace test {

@@ -9,8 +9,8 @@
 
 #include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
-#include "support/simulated_laser.hpp"
 #include "support/seeds.hpp"
+#include "support/simulated_laser.hpp"
 
 namespace falko_slam {
 namespace {

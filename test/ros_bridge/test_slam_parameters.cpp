@@ -17,26 +17,11 @@ namespace {
 
 constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/slam.yaml";
 
-// Their values by name, of the nodelet's own parameters, too.
-class NodeValues : public test::FieldValues {
- public:
-  using FieldValues::field;
-  void field(const char* name, const std::string& value) { texts_[name] = value; }
-  std::map<std::string, std::string> all() const {
-    std::map<std::string, std::string> all = values();
-    all.insert(texts_.begin(), texts_.end());
-    return all;
-  }
-
- private:
-  std::map<std::string, std::string> texts_;
-};
-
 std::map<std::string, std::string> values_of(const SlamNodeParams& params) {
-  NodeValues values;
+  test::FieldValues values;
   visit_slam_node_fields(params, values);
   visit_slam_fields(params.slam, values);
-  return values.all();
+  return values.values();
 }
 
 class NodeChanger : public test::FieldChanger {

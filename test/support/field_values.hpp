@@ -22,6 +22,7 @@ class FieldValues {
   void field(const char* name, unsigned long value) {
     values_[prefix_ + name] = number(static_cast<double>(value));
   }
+  void field(const char* name, const std::string& value) { values_[prefix_ + name] = value; }
   void field(const char* name, bool value) { values_[prefix_ + name] = value ? "true" : "false"; }
   template <class Enum>
   void choice(const char* name, Enum value, const EnumNames<Enum>& names) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "falko_slam/geometry/trajectory.hpp"
 #include "falko_slam/ros_bridge/simulation_messages.hpp"
 
 namespace falko_slam {
@@ -24,6 +25,7 @@ struct SimulationBagReport {
   std::size_t scans = 0;
   double seconds = 0.0;  ///< of the vehicle's time
   std::string drive;     ///< one line: who led it
+  Trajectory truth;      ///< base_link in the world, when the first beam of each scan left
 };
 
 /// Simulates as fast as it can and writes what the vehicle publishes to a bag: `scan`,

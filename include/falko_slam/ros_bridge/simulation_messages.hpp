@@ -36,6 +36,7 @@ struct SimulationMessages {
   nav_msgs::Odometry odometry;       ///< as the vehicle's controller knows it
   tf2_msgs::TFMessage odom_T_base;   ///< the same
   geometry_msgs::PoseStamped truth;  ///< of base_link
+  tf2_msgs::TFMessage world_T_odom;  ///< as a perfect localizer would send it
 };
 
 /// Turns the steps of a simulation into messages. The vehicle's odometry uses the parameters that

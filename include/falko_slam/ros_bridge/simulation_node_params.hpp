@@ -30,8 +30,8 @@ struct SimulationNodeParams {
   std::string drive_topic;  ///< of that bag; empty: its only one
   double rate = 1.0;        ///< times real time; other than 1 only as the clock of use_sim_time
   bool publish_tf = true;   ///< odom to base_link, base_link to laser
-  /// The static transform from the frame of the world to odom. Only where nobody else knows where
-  /// odom is: a map frame cannot be its parent, too.
+  /// World to odom, as a perfect localizer would send it. Only where nobody else tells where odom
+  /// is: a map frame cannot be its parent, too.
   bool publish_world_tf = false;
   SimulationFrames frames;
 };

@@ -65,6 +65,7 @@ void visit_encoder_fields(Params& params, Visitor& visitor) {
   visitor.begin("encoders");
   visitor.field("steer_ticks_per_turn", params.steer_ticks_per_turn);
   visitor.field("steer_zero", params.steer_zero);
+  visitor.field("steer_gain", params.steer_gain);
   visitor.end();
 }
 

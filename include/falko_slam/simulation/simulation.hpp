@@ -21,6 +21,7 @@ struct SimulationStep {
   struct Scan {
     SimulatedScan scan;
     std::vector<ReflectorDetection> reflectors;
+    Pose2 world_T_base;  ///< the truth when its first beam left
   };
   std::vector<Scan> scans;
 };
@@ -33,6 +34,9 @@ class Simulation {
   Simulation(Scenario scenario, Time start, std::uint64_t seed);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
+
+  /// As it is now, without scans: what there is before the first step.
+  SimulationStep state() const;
 
   /// One control period on.
   SimulationStep step(const DriveInput& input);
