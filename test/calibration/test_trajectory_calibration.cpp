@@ -76,7 +76,7 @@ TEST(TrajectoryCalibration, FindsTheVehicleThatDrove) {
     ASSERT_TRUE(result.estimate);
     EXPECT_GT(result.nominal_error.mean, 0.5);
     EXPECT_LT(result.error.greatest, 1e-6);
-    EXPECT_NEAR(result.windows.size(), 30U, 1U);
+    EXPECT_EQ(result.windows.size(), 30U);
     const CalibrationVector found = vector_of(result.estimate->calibration);
     for (Eigen::Index i = 0; i < found.size(); ++i) {
       EXPECT_NEAR(found[i], vector_of(truth)[i], 1e-6) << i;
