@@ -2,303 +2,135 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/calibration/calibrator.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "calibration_remarks.hpp"
-#include "chi_square_law.hpp"
 #include "falko_slam/calibration/extrinsic_calibration.hpp"
 #include "falko_slam/calibration/intrinsic_calibration.hpp"
 #include "falko_slam/common/validation.hpp"
-#include "noise_mixture.hpp"
+#include "joint_estimate.hpp"
 
 namespace falko_slam {
 namespace {
 
 using Parameter = CalibrationParameter;
+using Segments = std::vector<PathSegment>;
 
 constexpr double kGreatestOffset = 0.6;   // [rad]: beyond, a sign is wrong
 constexpr double kGreatestMisfit = 0.05;  // of the way of a segment, in the middle of all
-constexpr double kImprobable = 1e-3;      // tail of chi2 that is not put down to chance
-constexpr double kTail = 0.025;           // on either side of a 95 % interval
-constexpr int kRelinearisations = 2;
-constexpr int kSelections = 4;
 
-class Calibration {
- public:
-  Calibration(const std::vector<PathSegment>& segments, const CalibratorParams& params)
-      : segments_(segments), params_(params) {
-    for (const PathSegment& segment : segments) {
-      set_.stretches.push_back(stretch_of(segment));
-      set_.phases.push_back(static_cast<std::size_t>(phase_of(segment)));
-      SegmentReport report;
-      report.phase = phase_of(segment);
-      result_.segments.push_back(report);
-    }
-    set_.used.assign(segments.size(), true);
-  }
-
-  CalibrationResult run() {
-    if (!observable() || !start()) return result_;
-    leave_out_outliers();
-    if (!observable()) return result_;
-    estimate();
-    report_segments();
-    if (contradictory()) return result_;
-    judge();
-    return result_;
-  }
-
- private:
-  bool observable();
-  bool start();
-  void leave_out_outliers();
-  void estimate();
-  void report_segments();
-  bool contradictory();
-  void judge();
-
-  std::vector<PathSegment> used_segments() const;
-  double chi2_of(std::size_t segment, const StretchFit& fitted) const;
-  void take(const std::vector<MixtureComponent>& mixture);
-  void remark(const CalibrationRemark& remark);
-
-  const std::vector<PathSegment>& segments_;
-  const CalibratorParams& params_;
-  StretchSet set_;
-  FreeParameters free_;
-  VehicleCalibration at_;
-  Eigen::MatrixXd covariance_of_x_;
-  CalibrationResult result_;
-};
-
-void Calibration::remark(const CalibrationRemark& remark) {
-  result_.remarks.push_back(remark);
-  result_.verdict = std::max(result_.verdict, remark.verdict);
-  if (remark.verdict >= CalibrationVerdict::kUnobservable) result_.calibration.reset();
+void add(CalibrationResult& result, const CalibrationRemark& remark) {
+  result.remarks.push_back(remark);
+  result.verdict = std::max(result.verdict, remark.verdict);
 }
 
-std::vector<PathSegment> Calibration::used_segments() const {
-  std::vector<PathSegment> used;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    if (!set_.used[i]) continue;
-    used.push_back(segments_[i]);
-    used.back().steering *= params_.steer_gain;
-  }
-  return used;
+bool gives_numbers(const CalibrationResult& result) {
+  return result.verdict < CalibrationVerdict::kUnobservable;
 }
 
-bool Calibration::observable() {
-  result_.observability =
-      check_observability(used_segments(), params_.model, params_.observability);
-  result_.verdict = result_.observability.verdict;
-  result_.remarks = result_.observability.remarks;
-  return result_.verdict < CalibrationVerdict::kUnobservable;
+// Step 1.
+void check(const Segments& segments, const CalibratorParams& params, CalibrationResult& result) {
+  result.observability = check_observability(segments, params.model, params.observability);
+  result.verdict = result.observability.verdict;
+  result.remarks = result.observability.remarks;
 }
 
-bool Calibration::start() {
-  const std::vector<PathSegment> segments = used_segments();
-  const auto tricycle = params_.model == TricycleModel::kStandard
-                            ? calibrate_standard(segments, params_.wheelbase)
-                            : calibrate_asymmetric(segments, params_.wheelbase);
+// Step 2.
+void solve_in_closed_form(const Segments& segments, const CalibratorParams& params,
+                          CalibrationResult& result) {
+  const auto tricycle = params.model == TricycleModel::kStandard
+                            ? calibrate_standard(segments, params.wheelbase)
+                            : calibrate_asymmetric(segments, params.wheelbase);
   if (!tricycle) {
-    remark({CalibrationVerdict::kUnobservable,
-            {Parameter::kDrivingScale},
-            "nothing turns that the wheel could explain",
-            "check the egomotion of the laser"});
-    return false;
+    return add(result, {CalibrationVerdict::kUnobservable,
+                        {Parameter::kDrivingScale},
+                        "the laser does not turn",
+                        "check the egomotion of the laser"});
   }
-  if (std::max(std::abs(tricycle->steer_offset_forward),
-               std::abs(tricycle->steer_offset_backward)) > kGreatestOffset) {
+  const double forward = tricycle->steer_offset_forward, backward = tricycle->steer_offset_backward;
+  if (std::max(std::abs(forward), std::abs(backward)) > kGreatestOffset) {
     std::ostringstream reason;
-    reason << "the steer offsets would be " << tricycle->steer_offset_forward << " and "
-           << tricycle->steer_offset_backward << " rad";
-    remark({CalibrationVerdict::kContradictory,
-            {Parameter::kSteerOffsetForward, Parameter::kSteerOffsetBackward},
-            reason.str(),
-            "check the signs of ticks, steering and egomotion"});
-    return false;
+    reason << "the steer offsets would be " << forward << " and " << backward << " rad";
+    return add(result, {CalibrationVerdict::kContradictory,
+                        {Parameter::kSteerOffsetForward, Parameter::kSteerOffsetBackward},
+                        reason.str(),
+                        "check the signs of ticks, steering and egomotion"});
   }
   const auto laser = calibrate_laser_pose(segments, *tricycle);
   if (!laser) {
-    remark({CalibrationVerdict::kUnobservable,
-            {Parameter::kLaserX, Parameter::kLaserY, Parameter::kLaserTheta},
-            "the arcs have one centre of rotation",
-            "drive arcs of a half turn with other steering, on both sides"});
-    return false;
+    return add(result, {CalibrationVerdict::kUnobservable,
+                        {Parameter::kLaserX, Parameter::kLaserY, Parameter::kLaserTheta},
+                        "the arcs have one centre of rotation",
+                        "drive arcs of a half turn with other steering, on both sides"});
   }
-  result_.closed_form = VehicleCalibration{*tricycle, params_.steer_gain, *laser};
-  at_ = params_.start.value_or(*result_.closed_form);
-  free_ = free_parameters({params_.model, params_.free_wheelbase, params_.free_steer_gain}, at_);
-  return true;
+  result.closed_form = VehicleCalibration{*tricycle, params.steer_gain, *laser};
 }
 
-// Without what the phase has in common. Slip and steer noise count as great as they may be.
-double Calibration::chi2_of(std::size_t segment, const StretchFit& fitted) const {
-  const MeasuredStretch& stretch = set_.stretches[segment];
-  const StretchPrediction prediction =
-      predict(fitted.calibration, stretch.arcs, fitted.common[set_.phases[segment]]);
-  CalibrationNoise noise = params_.noise;
-  noise.slip *= noise.unknown_factor;
-  noise.steer *= noise.unknown_factor;
-  const Eigen::Vector3d residual = stretch.motion - prediction.motion;
-  return residual.dot(residual_covariance(stretch, prediction, noise).llt().solve(residual));
+Segments sound_segments(const Segments& segments, const CalibrationEstimate& estimate) {
+  Segments sound;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (estimate.segments[i].used) sound.push_back(segments[i]);
+  }
+  return sound;
 }
 
-void Calibration::leave_out_outliers() {
-  const auto count = static_cast<double>(segments_.size());
-  const bool wanted = params_.outlier_probability > 0.0;
-  StretchFit fitted =
-      fit(set_, free_, at_, params_.noise, wanted ? FitLoss::kCauchy : FitLoss::kNone);
-  if (wanted) {
-    const double bound = chi_square_bound(params_.outlier_probability / count, 3);
-    for (int i = 0; i < kSelections; ++i) {
-      std::vector<bool> sound;
-      for (std::size_t k = 0; k < segments_.size(); ++k)
-        sound.push_back(chi2_of(k, fitted) <= bound);
-      const auto outliers = static_cast<double>(std::count(sound.begin(), sound.end(), false));
-      // So many are no outliers; then the noise is not what it was said to be.
-      if (outliers > params_.max_outlier_share * count) sound.assign(segments_.size(), true);
-      const bool settled = i > 0 && sound == set_.used;
-      set_.used = sound;
-      if (settled) break;
-      const int before = fitted.iterations;
-      fitted = fit(set_, free_, fitted.calibration, params_.noise, FitLoss::kNone);
-      fitted.iterations += before;
-    }
-  }
-  at_ = fitted.calibration;
-  result_.iterations = fitted.iterations;
-  if (!fitted.converged) {
-    remark({CalibrationVerdict::kWeak, {}, "the refinement did not come to an end", ""});
-  }
-}
-
-void Calibration::estimate() {
-  for (int i = 0; i < kRelinearisations; ++i) {
-    const std::vector<MixtureComponent> mixture = noise_mixture(set_, free_, at_, params_.noise);
-    if (mixture.empty()) {
-      remark({CalibrationVerdict::kUnobservable, {}, "the equations are singular", ""});
-      return;
-    }
-    take(mixture);
-  }
-}
-
-// The mixture's mean, covariance and quantiles.
-void Calibration::take(const std::vector<MixtureComponent>& mixture) {
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(free_.count());
-  Eigen::Matrix<double, 2 * kDrivePhases, 1> common = Eigen::Matrix<double, 8, 1>::Zero();
-  std::vector<double> weights;
-  const MixtureComponent* likeliest = &mixture.front();
-  for (const MixtureComponent& component : mixture) {
-    mean += component.weight * component.correction;
-    common += component.weight * component.common;
-    weights.push_back(component.weight);
-    if (component.weight > likeliest->weight) likeliest = &component;
-  }
-  covariance_of_x_ = Eigen::MatrixXd::Zero(free_.count(), free_.count());
-  for (const MixtureComponent& component : mixture) {
-    const Eigen::VectorXd off = component.correction - mean;
-    covariance_of_x_ += component.weight * (component.covariance + off * off.transpose());
-  }
-  const CalibrationVector here = vector_of(at_);
-  for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const Eigen::VectorXd by_x = free_.columns.row(row).transpose();
-    std::vector<double> means, deviations;
-    for (const MixtureComponent& component : mixture) {
-      means.push_back(by_x.dot(component.correction));
-      deviations.push_back(std::sqrt(by_x.dot(component.covariance * by_x)));
-    }
-    result_.intervals[i] = {here[row] + mixture_quantile(weights, means, deviations, kTail),
-                            here[row] + mixture_quantile(weights, means, deviations, 1.0 - kTail)};
-  }
-  for (std::size_t phase = 0; phase < kDrivePhases; ++phase) {
-    const auto slip = static_cast<Eigen::Index>(phase);
-    result_.phase_errors[phase] = {common[slip],
-                                   common[slip + static_cast<Eigen::Index>(kDrivePhases)]};
-  }
-  const auto used = static_cast<int>(std::count(set_.used.begin(), set_.used.end(), true));
-  result_.chi2 = likeliest->chi2;
-  result_.degrees_of_freedom = 3 * used - static_cast<int>(free_.count());
-  at_ = calibration_of(here + free_.columns * mean);
-  result_.calibration = at_;
-  result_.covariance = free_.columns * covariance_of_x_ * free_.columns.transpose();
-}
-
-void Calibration::report_segments() {
-  StretchFit fitted;
-  fitted.calibration = at_;
-  fitted.common = result_.phase_errors;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    SegmentReport& report = result_.segments[i];
-    const MeasuredStretch& stretch = set_.stretches[i];
-    report.residual =
-        stretch.motion - predict(at_, stretch.arcs, fitted.common[set_.phases[i]]).motion;
-    report.chi2 = chi2_of(i, fitted);
-    report.used = set_.used[i];
-  }
-}
-
-bool Calibration::contradictory() {
-  if (!result_.calibration) return true;
+void check_misfit(const Segments& segments, const CalibrationEstimate& estimate,
+                  CalibrationResult& result) {
   std::vector<double> misfits;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const double way = std::abs(at_.tricycle.driving_scale * segments_[i].ticks);
-    misfits.push_back(result_.segments[i].residual.head<2>().norm() / way);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const double way = std::abs(estimate.calibration.tricycle.driving_scale * segments[i].ticks);
+    misfits.push_back(estimate.segments[i].residual.head<2>().norm() / way);
   }
   const auto middle = misfits.begin() + static_cast<std::ptrdiff_t>(misfits.size() / 2);
   std::nth_element(misfits.begin(), middle, misfits.end());
-  if (*middle <= kGreatestMisfit) return false;
+  if (*middle <= kGreatestMisfit) return;
   std::ostringstream reason;
   reason << "no tricycle drives like that: half of the segments end more than "
          << std::round(100.0 * *middle) << " % of their way beside what is expected";
-  remark({CalibrationVerdict::kContradictory,
-          {},
-          reason.str(),
-          "check the signs and units of ticks, steering and egomotion"});
-  return true;
+  add(result, {CalibrationVerdict::kContradictory,
+               {},
+               reason.str(),
+               "check the signs and units of ticks, steering and egomotion"});
 }
 
-void Calibration::judge() {
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    if (set_.used[i]) continue;
-    std::ostringstream reason;
-    reason << "segment " << i + 1 << " (" << name_of(result_.segments[i].phase)
-           << ") was left out: chi2 " << result_.segments[i].chi2;
-    result_.remarks.push_back({CalibrationVerdict::kOk, {}, reason.str(), "look at its residual"});
+StretchSet stretches_of(const Segments& segments) {
+  StretchSet set;
+  for (const PathSegment& segment : segments) {
+    set.stretches.push_back(stretch_of(segment));
+    set.phases.push_back(static_cast<std::size_t>(phase_of(segment)));
   }
-  const double excess = result_.chi2 / std::max(1, result_.degrees_of_freedom);
-  if (chi_square_tail(result_.chi2, result_.degrees_of_freedom) < kImprobable) {
-    result_.covariance *= excess;
-    covariance_of_x_ *= excess;
-    const CalibrationVector here = vector_of(at_);
-    for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
-      const double centre = here[static_cast<Eigen::Index>(i)];
-      ParameterInterval& interval = result_.intervals[i];
-      interval.low = centre + std::sqrt(excess) * (interval.low - centre);
-      interval.high = centre + std::sqrt(excess) * (interval.high - centre);
-    }
-    std::ostringstream reason;
-    reason << "chi2 is " << result_.chi2 << " of " << result_.degrees_of_freedom
-           << " degrees of freedom: the noise is greater than was said";
-    remark({CalibrationVerdict::kWeak, {}, reason.str(), "measure slip and steer noise"});
+  set.used.assign(segments.size(), true);
+  return set;
+}
+
+// The measured steering as the wheel has it.
+Segments geared(Segments segments, double steer_gain) {
+  for (PathSegment& segment : segments) segment.steering *= steer_gain;
+  return segments;
+}
+
+// Steps 3 to 5.
+void refine(const Segments& segments, const CalibratorParams& params, CalibrationResult& result) {
+  const VehicleCalibration start = params.start.value_or(*result.closed_form);
+  const FreeParameters free =
+      free_parameters({params.model, params.free_wheelbase, params.free_steer_gain}, start);
+  StretchSet set = stretches_of(segments);
+  auto joint = estimate_jointly(set, free, start, params.noise, params.outliers);
+  if (!joint) {
+    return add(result,
+               {CalibrationVerdict::kUnobservable, {}, "the equations are singular", "drive more"});
   }
-  for (const auto& weak : weak_parameters(set_, free_, at_, covariance_of_x_, params_)) {
-    remark(weak);
+  check(geared(sound_segments(segments, joint->estimate), params.steer_gain), params, result);
+  check_misfit(segments, joint->estimate, result);
+  if (!gives_numbers(result)) return;
+  result.tied = tied_parameters(joint->estimate.covariance);
+  for (const auto& remark :
+       remarks_on(set, free, *joint, result.tied, {params.limits, params.noise})) {
+    add(result, remark);
   }
-  const std::vector<Parameter> tied = tied_parameters(result_.covariance);
-  if (!tied.empty()) {
-    std::string names;
-    for (const Parameter parameter : tied) {
-      names += (names.empty() ? "" : ", ") + std::string(name_of(parameter));
-    }
-    remark({CalibrationVerdict::kWeak, tied, "the data tie " + names + " to each other",
-            "measure one of them by other means and hold it"});
-  }
+  result.estimate = std::move(joint->estimate);
 }
 
 }  // namespace
@@ -308,14 +140,8 @@ void validate(const CalibratorParams& params) {
   require_in_range("steer_gain", params.steer_gain, 0.01, 100.0);
   validate(params.noise);
   validate(params.observability);
-  require_in_range("limits.steer_offset", params.limits.steer_offset, 1e-9, 1.0);
-  require_in_range("limits.driving_scale", params.limits.driving_scale, 1e-9, 1.0);
-  require_in_range("limits.laser_position", params.limits.laser_position, 1e-9, 10.0);
-  require_in_range("limits.laser_theta", params.limits.laser_theta, 1e-9, 1.0);
-  require_in_range("limits.wheelbase", params.limits.wheelbase, 1e-9, 1.0);
-  require_in_range("limits.steer_gain", params.limits.steer_gain, 1e-9, 1.0);
-  require_in_range("outlier_probability", params.outlier_probability, 0.0, 0.5);
-  require_in_range("max_outlier_share", params.max_outlier_share, 0.0, 0.5);
+  validate(params.limits);
+  validate(params.outliers);
   if (params.start) validate(params.start->tricycle);
 }
 
@@ -323,7 +149,13 @@ CalibrationResult calibrate(const std::vector<PathSegment>& segments,
                             const CalibratorParams& params) {
   validate(params);
   validate(segments);
-  return Calibration(segments, params).run();
+  const Segments driven = geared(segments, params.steer_gain);
+  CalibrationResult result;
+  check(driven, params, result);
+  if (gives_numbers(result)) solve_in_closed_form(driven, params, result);
+  if (gives_numbers(result)) refine(segments, params, result);
+  if (!gives_numbers(result)) result.closed_form.reset();
+  return result;
 }
 
 }  // namespace falko_slam

@@ -76,22 +76,23 @@ MonteCarloReport run_monte_carlo(const CalibrationCondition& condition,
   for (int run = 0; run < params.runs; ++run) {
     const auto segments = simulate_calibration_drive(condition, params, random);
     const CalibrationResult result = calibrate(segments, params.calibrator);
-    if (!result.calibration) {
+    if (!result.estimate) {
       ++report.refused;
       continue;
     }
+    const CalibrationEstimate& estimate = *result.estimate;
     ++report.runs;
     closed_form.add(deviation_of(*result.closed_form, params.truth));
-    likeliest.add(deviation_of(*result.calibration, params.truth));
+    likeliest.add(deviation_of(estimate.calibration, params.truth));
     bounds += bound_of(segments, params);
     for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      const ParameterInterval& interval = result.intervals[i];
+      const ParameterInterval& interval = estimate.intervals[i];
       covered[row] += interval.low <= truth[row] && truth[row] <= interval.high ? 1.0 : 0.0;
       widths[row] += 0.5 * (interval.high - interval.low);
     }
-    for (const SegmentReport& segment : result.segments) outliers += segment.used ? 0.0 : 1.0;
-    chi2 += result.chi2 / result.degrees_of_freedom;
+    for (const SegmentReport& segment : estimate.segments) outliers += segment.used ? 0.0 : 1.0;
+    chi2 += estimate.chi2 / estimate.degrees_of_freedom;
   }
   const double runs = std::max(1, report.runs);
   report.outlier_share = outliers / runs / (4.0 * condition.arcs_per_phase);

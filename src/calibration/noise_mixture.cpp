@@ -11,7 +11,8 @@ namespace falko_slam {
 namespace {
 
 constexpr int kCommonErrors = 2 * static_cast<int>(kDrivePhases);
-constexpr int kLevels = 7;  // of common errors, beside none: the least is a 64th of the greatest
+constexpr int kLevels =
+    8;  // of common errors: the least is a 128th of the greatest, as good as none
 
 using CommonVector = Eigen::Matrix<double, kCommonErrors, 1>;
 using CommonMatrix = Eigen::Matrix<double, kCommonErrors, kCommonErrors>;
@@ -85,23 +86,19 @@ double solve(const WhitenedSums& sums, MixtureComponent& component) {
                  log_determinant(root.matrixL()));
 }
 
-struct Level {
-  double value;
-  double prior;
-};
-
-std::vector<Level> common_levels(double greatest) {
-  std::vector<Level> levels = {{0.0, 1.0}};
-  if (greatest <= 0.0) return levels;
-  for (int i = 0; i < kLevels; ++i) levels.push_back({greatest * std::pow(2.0, -i), 1.0 / kLevels});
+// All levels are equally probable.
+std::vector<double> common_levels(double greatest) {
+  if (greatest <= 0.0) return {0.0};
+  std::vector<double> levels;
+  for (int i = 0; i < kLevels; ++i) levels.push_back(greatest * std::pow(2.0, -i));
   return levels;
 }
 
-std::vector<Level> factor_levels(double most) {
-  std::vector<Level> levels = {{1.0, 1.0}};
+std::vector<double> factor_levels(double most) {
+  std::vector<double> levels = {1.0};
   for (double factor = 2.0; factor <= most; factor *= 2.0) {
-    levels.push_back({factor, 1.0 / factor});
-    levels.push_back({1.0 / factor, 1.0 / factor});
+    levels.push_back(factor);
+    levels.push_back(1.0 / factor);
   }
   return levels;
 }
@@ -143,21 +140,19 @@ std::vector<MixtureComponent> noise_mixture(const StretchSet& set, const FreePar
                                             const CalibrationNoise& noise) {
   const std::vector<StretchPrediction> predictions = predictions_of(set, linearised_at);
   std::vector<MixtureComponent> mixture;
-  for (const Level& slip_factor : factor_levels(noise.unknown_factor)) {
-    for (const Level& steer_factor : factor_levels(noise.unknown_factor)) {
+  for (const double slip_factor : factor_levels(noise.unknown_factor)) {
+    for (const double steer_factor : factor_levels(noise.unknown_factor)) {
       CalibrationNoise alone = noise;
-      alone.slip *= slip_factor.value;
-      alone.steer *= steer_factor.value;
+      alone.slip *= slip_factor;
+      alone.steer *= steer_factor;
       const WhitenedSums sums(set, free, predictions, alone);
-      for (const Level& slip : common_levels(noise.common_slip)) {
-        for (const Level& steer : common_levels(noise.common_steer)) {
+      for (const double slip : common_levels(noise.common_slip)) {
+        for (const double steer : common_levels(noise.common_steer)) {
           MixtureComponent component;
           component.noise = alone;
-          component.noise.common_slip = slip.value;
-          component.noise.common_steer = steer.value;
-          component.weight =
-              solve(sums, component) +
-              std::log(slip_factor.prior * steer_factor.prior * slip.prior * steer.prior);
+          component.noise.common_slip = slip;
+          component.noise.common_steer = steer;
+          component.weight = solve(sums, component);
           if (std::isfinite(component.weight)) mixture.push_back(component);
         }
       }

@@ -26,8 +26,9 @@ struct MixtureComponent {
 ///     r = H x + Z u + e,   u ~ N(0, T^2), e ~ N(0, diag(Sigma_k))
 ///
 /// with u the common slip and steer error of the phases. x is integrated out with a flat prior
-/// (restricted likelihood), so the degrees of freedom it takes are not counted twice. T = 0 has as
-/// much prior weight as all other values together, which are in even ratios up to the greatest.
+/// (restricted likelihood), so the degrees of freedom it takes are not counted twice. The values of
+/// T are in even ratios and equally probable, up to the greatest in the noise: 0 has no weight of
+/// its own, for what is given to it is missing where common errors are just too small to be seen.
 std::vector<MixtureComponent> noise_mixture(const StretchSet& set, const FreeParameters& free,
                                             const VehicleCalibration& linearised_at,
                                             const CalibrationNoise& noise);

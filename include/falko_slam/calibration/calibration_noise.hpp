@@ -19,13 +19,14 @@ struct CalibrationNoise {
   /// Of the steering's deviation from what is measured, anew in each segment [rad], [0, 0.1].
   double steer = 1.4e-4;
   /// The greatest slip that all segments of a phase might have in common, beside their own; how
-  /// great it is, is told by the spread between the phases. 0: there is none. [0, 0.1]
-  double common_slip = 4e-3;
+  /// great it is, is told by the spread between the phases; they are few, so intervals get about
+  /// twice as wide as without. 0, in both: there is none. [0, 0.1]
+  double common_slip = 0.02;
   /// The same of the steering [rad], [0, 0.1].
-  double common_steer = 2e-3;
+  double common_steer = 0.01;
   /// slip and steer may be wrong by up to this factor; what the residuals make of it, decides.
   /// 1: they are known. [1, 16]
-  double unknown_factor = 1.0;
+  double unknown_factor = 4.0;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const CalibrationNoise& noise);
