@@ -63,6 +63,29 @@ void read_intervals(YamlFields& file, StoredCalibration& stored) {
   intervals.refuse_unknown();
 }
 
+// Of both kinds of results.
+template <class Result>
+StoredCalibration stored_estimate(const Result& result) {
+  if (!result.estimate) {
+    throw std::invalid_argument(std::string("verdict = ") + name_of(result.verdict) +
+                                ": there is nothing to write");
+  }
+  const CalibrationEstimate& estimate = *result.estimate;
+  StoredCalibration stored;
+  stored.verdict = result.verdict;
+  stored.calibration = estimate.calibration;
+  stored.covariance = estimate.covariance;
+  stored.intervals = estimate.intervals;
+  const auto used = std::count_if(estimate.segments.begin(), estimate.segments.end(),
+                                  [](const SegmentReport& segment) { return segment.used; });
+  stored.conditions.segments = static_cast<int>(estimate.segments.size());
+  stored.conditions.left_out = stored.conditions.segments - static_cast<int>(used);
+  stored.conditions.chi2 = estimate.chi2;
+  stored.conditions.degrees_of_freedom = estimate.degrees_of_freedom;
+  for (const CalibrationRemark& remark : result.remarks) stored.remarks.push_back(text_of(remark));
+  return stored;
+}
+
 }  // namespace
 
 void validate(const StoredCalibration& stored) {
@@ -79,28 +102,20 @@ void validate(const StoredCalibration& stored) {
 
 StoredCalibration stored_calibration(const CalibrationResult& result, TricycleModel model,
                                      const std::string& date) {
-  if (!result.estimate) {
-    throw std::invalid_argument(std::string("verdict = ") + name_of(result.verdict) +
-                                ": there is nothing to write");
-  }
-  const CalibrationEstimate& estimate = *result.estimate;
-  StoredCalibration stored;
+  StoredCalibration stored = stored_estimate(result);
   stored.date = date;
   stored.model = model;
-  stored.verdict = result.verdict;
-  stored.calibration = estimate.calibration;
-  stored.covariance = estimate.covariance;
-  stored.intervals = estimate.intervals;
-  const auto used = std::count_if(estimate.segments.begin(), estimate.segments.end(),
-                                  [](const SegmentReport& segment) { return segment.used; });
-  stored.conditions.segments = static_cast<int>(estimate.segments.size());
-  stored.conditions.left_out = stored.conditions.segments - static_cast<int>(used);
-  stored.conditions.chi2 = estimate.chi2;
-  stored.conditions.degrees_of_freedom = estimate.degrees_of_freedom;
   stored.conditions.forward_condition = result.observability.forward_condition;
   stored.conditions.backward_condition = result.observability.backward_condition;
   stored.conditions.laser_condition = result.observability.laser_condition;
-  for (const CalibrationRemark& remark : result.remarks) stored.remarks.push_back(text_of(remark));
+  return stored;
+}
+
+StoredCalibration stored_calibration(const TrajectoryCalibrationResult& result, TricycleModel model,
+                                     const std::string& date) {
+  StoredCalibration stored = stored_estimate(result);
+  stored.date = date;
+  stored.model = model;
   return stored;
 }
 
@@ -132,7 +147,6 @@ StoredCalibration read_calibration(const std::string& path) {
   StoredCalibration stored;
   CalibrationVector vector = CalibrationVector::Zero();
   visit_calibration_fields(file, stored, vector);
-  // Not through Pose2, which would wrap what is out of range.
   stored.calibration = calibration_of(vector);
   file.check([&vector] { require_in_range("parameters.laser_theta", vector[5], -kPi, kPi); });
   file.check([&stored] { validate(stored); });

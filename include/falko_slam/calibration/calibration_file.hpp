@@ -7,16 +7,17 @@
 #include <vector>
 
 #include "falko_slam/calibration/calibrator.hpp"
+#include "falko_slam/calibration/trajectory_calibration.hpp"
 
 namespace falko_slam {
 
 /// What a calibration was made from.
 struct CalibrationConditions {
-  int segments = 0;
+  int segments = 0;  ///< or windows of a drive
   int left_out = 0;  ///< outliers among them
   double chi2 = 0.0;
   int degrees_of_freedom = 0;
-  double forward_condition = 1.0;  ///< as in ObservabilityReport
+  double forward_condition = 1.0;  ///< as in ObservabilityReport; 1 where there are no arcs
   double backward_condition = 1.0;
   double laser_condition = 1.0;
 };
@@ -35,6 +36,8 @@ struct StoredCalibration {
 
 /// Throws std::invalid_argument if the result has no numbers: they must not get into a file.
 StoredCalibration stored_calibration(const CalibrationResult& result, TricycleModel model,
+                                     const std::string& date);
+StoredCalibration stored_calibration(const TrajectoryCalibrationResult& result, TricycleModel model,
                                      const std::string& date);
 
 /// Where the calibration that was there before is kept: "agv.yaml" -> "agv.previous.yaml".
