@@ -10,35 +10,48 @@
 namespace falko_slam {
 namespace {
 
-using Points = std::vector<Eigen::Vector2d>;
-
 double normal(std::mt19937_64& random, double deviation) {
   return deviation > 0.0 ? std::normal_distribution<double>(0.0, deviation)(random) : 0.0;
 }
 
+struct Reflector {
+  Eigen::Vector2d point;
+  double face;  // direction it looks to [rad]
+};
+using Reflectors = std::vector<Reflector>;
+
 // Seen from where the laser stands as an arc begins.
-Points reflectors(const SimulatedCalibrationNoise& noise, std::mt19937_64& random) {
+Reflectors reflectors(const SimulatedCalibrationNoise& noise, std::mt19937_64& random) {
   std::uniform_real_distribution<double> distance(noise.min_distance, noise.max_distance);
   std::uniform_real_distribution<double> direction(-kPi, kPi);
-  Points points;
+  Reflectors points;
   for (int i = 0; i < noise.reflectors; ++i) {
     const double far = distance(random), angle = direction(random);
-    points.emplace_back(far * std::cos(angle), far * std::sin(angle));
+    points.push_back({{far * std::cos(angle), far * std::sin(angle)}, direction(random)});
   }
   return points;
 }
 
+Eigen::Vector2d seen_from(const Eigen::Vector2d& place, const Reflector& reflector, double bias) {
+  const Eigen::Vector2d view = reflector.point - place;
+  const double turned = 2.0 * std::atan2(view.y(), view.x()) + reflector.face;
+  return reflector.point + bias * Eigen::Vector2d(std::cos(turned), std::sin(turned));
+}
+
 // The motion of the laser as reflectors seen at both ends tell it.
-PoseEstimate measured_motion(const Pose2& start_T_end, const Points& points,
+PoseEstimate measured_motion(const Pose2& start_T_end, const Reflectors& points,
                              const SimulatedCalibrationNoise& noise, std::mt19937_64& random) {
   const double deviation = noise.detection / std::sqrt(noise.scans_at_rest);
   std::normal_distribution<double> error(0.0, deviation);
   const Pose2 end_T_start = start_T_end.inverse();
   std::vector<PointPair> pairs;
-  for (const Eigen::Vector2d& point : points) {
+  for (const Reflector& reflector : points) {
+    const Eigen::Vector2d at_start = seen_from({0.0, 0.0}, reflector, noise.viewpoint_bias);
+    const Eigen::Vector2d at_end =
+        seen_from(start_T_end.translation(), reflector, noise.viewpoint_bias);
     PointPair pair;
-    pair.point_in_target = point + Eigen::Vector2d(error(random), error(random));
-    pair.point_in_source = end_T_start * point + Eigen::Vector2d(error(random), error(random));
+    pair.point_in_target = at_start + Eigen::Vector2d(error(random), error(random));
+    pair.point_in_source = end_T_start * at_end + Eigen::Vector2d(error(random), error(random));
     pairs.push_back(pair);
   }
   return align(pairs, std::sqrt(2.0) * deviation)->target_T_source;
@@ -85,6 +98,7 @@ void validate(const MonteCarloParams& params) {
   require_in_range("noise.steer", noise.steer, 0.0, 0.1);
   require_in_range("noise.common_slip", noise.common_slip, 0.0, 0.1);
   require_in_range("noise.common_steer", noise.common_steer, 0.0, 0.1);
+  require_in_range("noise.viewpoint_bias", noise.viewpoint_bias, 0.0, 1.0);
   require_in_range("runs", params.runs, 2, 1000000);
 }
 
@@ -94,7 +108,7 @@ std::vector<PathSegment> simulate_calibration_drive(const CalibrationCondition& 
   const TricycleParams& tricycle = params.truth.tricycle;
   const Pose2& laser = params.truth.base_T_laser;
   const SimulatedCalibrationNoise& noise = params.noise;
-  const Points points = reflectors(noise, random);
+  const Reflectors points = reflectors(noise, random);
   const double step =
       (condition.max_steering - condition.min_steering) / std::max(1, condition.arcs_per_phase - 1);
   std::vector<PathSegment> segments;

@@ -180,8 +180,8 @@ CalibrationProgress CalibrationDriver::progress() const {
   progress.arcs = arcs_.size();
   progress.arc = std::min(arc_, arcs_.size() - 1);
   progress.phase = arcs_[progress.arc].phase;
-  const double on_arc =
-      stage_ == CalibrationStage::kDriving ? std::min(1.0, std::abs(turned_) / plan_.turn) : 0.0;
+  double on_arc = stage_ == CalibrationStage::kHalting ? 1.0 : 0.0;
+  if (stage_ == CalibrationStage::kDriving) on_arc = std::min(1.0, std::abs(turned_) / plan_.turn);
   progress.fraction =
       std::min(1.0, (static_cast<double>(arc_) + on_arc) / static_cast<double>(arcs_.size()));
   return progress;

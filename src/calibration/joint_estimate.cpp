@@ -29,8 +29,9 @@ SegmentReport report_of(const MeasuredStretch& stretch, std::size_t phase, const
   SegmentReport report;
   report.phase = static_cast<DrivePhase>(phase);
   report.residual = stretch.motion - prediction.motion;
-  report.chi2 = report.residual.dot(
-      residual_covariance(stretch, prediction, noise).llt().solve(report.residual));
+  Eigen::Matrix3d covariance = residual_covariance(stretch, prediction, noise);
+  covariance += pose_covariance(noise.common_position, noise.common_turn);
+  report.chi2 = report.residual.dot(covariance.llt().solve(report.residual));
   return report;
 }
 

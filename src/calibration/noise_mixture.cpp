@@ -7,56 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "whitened_sums.hpp"
+
 namespace falko_slam {
 namespace {
 
-constexpr int kCommonErrors = 2 * static_cast<int>(kDrivePhases);
-constexpr int kLevels =
-    8;  // of common errors: the least is a 128th of the greatest, as good as none
-
-using CommonVector = Eigen::Matrix<double, kCommonErrors, 1>;
-using CommonMatrix = Eigen::Matrix<double, kCommonErrors, kCommonErrors>;
-
-// All sums over the stretches that a solution needs, whitened by the errors of each alone.
-struct WhitenedSums {
-  Eigen::MatrixXd HtH, HtZ;
-  CommonMatrix ZtZ = CommonMatrix::Zero();
-  Eigen::VectorXd Htr;
-  CommonVector Ztr = CommonVector::Zero();
-  double rtr = 0.0;
-  double log_determinants = 0.0;  // of the Sigma_k
-
-  WhitenedSums(const StretchSet& set, const FreeParameters& free,
-               const std::vector<StretchPrediction>& predictions, const CalibrationNoise& noise)
-      : HtH(Eigen::MatrixXd::Zero(free.count(), free.count())),
-        HtZ(Eigen::MatrixXd::Zero(free.count(), kCommonErrors)),
-        Htr(Eigen::VectorXd::Zero(free.count())) {
-    for (std::size_t i = 0; i < set.stretches.size(); ++i) {
-      if (set.used[i]) add(set.stretches[i], set.phases[i], free, predictions[i], noise);
-    }
-  }
-
-  void add(const MeasuredStretch& stretch, std::size_t phase, const FreeParameters& free,
-           const StretchPrediction& prediction, const CalibrationNoise& noise) {
-    const Eigen::LLT<Eigen::Matrix3d> root(residual_covariance(stretch, prediction, noise));
-    const Eigen::Matrix3d L = root.matrixL();
-    const auto whiten = L.triangularView<Eigen::Lower>();
-    const Eigen::MatrixXd H = whiten.solve(prediction.dparameters * free.columns);
-    Eigen::Matrix<double, 3, kCommonErrors> Z = Eigen::Matrix<double, 3, kCommonErrors>::Zero();
-    const auto slip = static_cast<Eigen::Index>(phase);
-    Z.col(slip) = whiten.solve(prediction.dslip);
-    Z.col(slip + static_cast<Eigen::Index>(kDrivePhases)) = whiten.solve(prediction.dsteer);
-    const Eigen::Vector3d residual = stretch.motion - prediction.motion;
-    const Eigen::Vector3d r = whiten.solve(residual);
-    HtH += H.transpose() * H;
-    HtZ += H.transpose() * Z;
-    ZtZ += Z.transpose() * Z;
-    Htr += H.transpose() * r;
-    Ztr += Z.transpose() * r;
-    rtr += r.squaredNorm();
-    log_determinants += 2.0 * L.diagonal().array().log().sum();
-  }
-};
+// Of common errors: the least is a 128th of the greatest, as good as none.
+constexpr int kLevels = 8;
 
 double log_determinant(const Eigen::MatrixXd& lower) {
   return 2.0 * lower.diagonal().array().log().sum();
@@ -68,12 +25,12 @@ double solve(const WhitenedSums& sums, MixtureComponent& component) {
   CommonVector T;
   T << CommonVector::Constant(component.noise.common_slip).head<kCommonErrors / 2>(),
       CommonVector::Constant(component.noise.common_steer).head<kCommonErrors / 2>();
-  const CommonMatrix scaled = T.asDiagonal() * sums.ZtZ * T.asDiagonal();
+  const CommonMatrix scaled = T.asDiagonal() * sums.ZtZ() * T.asDiagonal();
   const Eigen::LLT<CommonMatrix> D(CommonMatrix::Identity() + scaled);
-  const Eigen::MatrixXd TZtH = T.asDiagonal() * sums.HtZ.transpose();
-  const CommonVector TZtr = T.asDiagonal() * sums.Ztr;
-  const Eigen::MatrixXd information = sums.HtH - TZtH.transpose() * D.solve(TZtH);
-  const Eigen::VectorXd right = sums.Htr - TZtH.transpose() * D.solve(TZtr);
+  const Eigen::MatrixXd TZtH = T.asDiagonal() * sums.HtZ().transpose();
+  const CommonVector TZtr = T.asDiagonal() * sums.Ztr();
+  const Eigen::MatrixXd information = sums.HtH() - TZtH.transpose() * D.solve(TZtH);
+  const Eigen::VectorXd right = sums.Htr() - TZtH.transpose() * D.solve(TZtr);
   const Eigen::LLT<Eigen::MatrixXd> root(information);
   if (root.info() != Eigen::Success) return -std::numeric_limits<double>::infinity();
   component.correction = root.solve(right);
@@ -81,8 +38,8 @@ double solve(const WhitenedSums& sums, MixtureComponent& component) {
       root.solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
   const CommonVector left = TZtr - TZtH * component.correction;
   component.common = T.asDiagonal() * D.solve(left);
-  component.chi2 = sums.rtr - TZtr.dot(D.solve(TZtr)) - component.correction.dot(right);
-  return -0.5 * (component.chi2 + sums.log_determinants + log_determinant(D.matrixL()) +
+  component.chi2 = sums.rtr() - TZtr.dot(D.solve(TZtr)) - component.correction.dot(right);
+  return -0.5 * (component.chi2 + sums.log_determinant() + log_determinant(D.matrixL()) +
                  log_determinant(root.matrixL()));
 }
 

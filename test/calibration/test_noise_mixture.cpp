@@ -39,6 +39,8 @@ TEST(NoiseMixture, IsGeneralisedLeastSquares) {
   CalibrationNoise noise;
   noise.common_slip = 1e-3;
   noise.common_steer = 5e-4;
+  noise.common_position = 2e-3;
+  noise.common_turn = 1e-4;
   const auto count = static_cast<Eigen::Index>(problem.set.stretches.size());
   Eigen::MatrixXd V = Eigen::MatrixXd::Zero(3 * count, 3 * count), H(3 * count, 6);
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(3 * count, 8);
@@ -54,6 +56,15 @@ TEST(NoiseMixture, IsGeneralisedLeastSquares) {
     r.segment<3>(3 * k) = stretch.motion - prediction.motion;
   }
   V += Z * Z.transpose();
+  for (Eigen::Index a = 0; a < count; ++a) {
+    for (Eigen::Index b = 0; b < count; ++b) {
+      if (problem.set.phases[static_cast<std::size_t>(a)] !=
+          problem.set.phases[static_cast<std::size_t>(b)]) {
+        continue;
+      }
+      V.block<3, 3>(3 * a, 3 * b) += pose_covariance(noise.common_position, noise.common_turn);
+    }
+  }
   const Eigen::MatrixXd weight = V.inverse();
   const Eigen::MatrixXd covariance = (H.transpose() * weight * H).inverse();
   const Eigen::VectorXd x = covariance * H.transpose() * weight * r;

@@ -24,6 +24,11 @@ struct CalibrationNoise {
   double common_slip = 0.02;
   /// The same of the steering [rad], [0, 0.1].
   double common_steer = 0.01;
+  /// Standard deviation of what the laser's motions of a phase have in common, as where reflectors
+  /// look displaced from where the phase passes them; no spread tells it apart from the laser's
+  /// pose, so it must be known. Position [m], [0, 1], and turn [rad], [0, 1].
+  double common_position = 0.0;
+  double common_turn = 0.0;
   /// slip and steer may be wrong by up to this factor; what the residuals make of it, decides.
   /// 1: they are known. [1, 16]
   double unknown_factor = 4.0;

@@ -35,6 +35,9 @@ struct SimulatedCalibrationNoise {
   double steer = 1.4e-4;       ///< [rad]
   double common_slip = 0.0;
   double common_steer = 0.0;  ///< [rad]
+  /// A reflector looks displaced by about so much, in a direction that turns twice while one goes
+  /// round it; alike in all arcs of a calibration [m], [0, 1].
+  double viewpoint_bias = 0.0;
 };
 
 struct MonteCarloParams {

@@ -28,7 +28,7 @@ struct TrajectoryCalibratorParams {
   double position_noise = 0.005;  ///< standard deviation of the laser's coordinates [m], (0, 10]
   double heading_noise = 1e-3;    ///< of its heading [rad], (0, 1]
   /// Of a window. A drive has no phases, so nothing is in common.
-  CalibrationNoise noise{0.01, 0.01, 0.0, 0.0, 8.0};
+  CalibrationNoise noise{0.01, 0.01, 0.0, 0.0, 0.0, 0.0, 8.0};
   OutlierParams outliers;
   CalibrationLimits limits;
 };
