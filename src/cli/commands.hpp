@@ -10,6 +10,7 @@ namespace falko_slam {
 namespace cli {
 
 // Each adds its verb to the command line; what the verb does runs when its words are parsed.
+void add_calibrate(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_detect(CLI::App& app);
 void add_evaluate(CLI::App& app);

@@ -13,6 +13,7 @@ int run(int argc, char** argv) {
   CLI::App app("falko_slam on recorded data, faster than real time");
   app.name("falko");
   app.require_subcommand(0, 1);  // none is looked at below: here it would hide a misspelt one
+  falko_slam::cli::add_calibrate(app);
   falko_slam::cli::add_convert(app);
   falko_slam::cli::add_detect(app);
   falko_slam::cli::add_evaluate(app);

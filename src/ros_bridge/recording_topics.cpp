@@ -6,6 +6,7 @@
 
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 namespace falko_slam {
 namespace {
@@ -55,6 +56,20 @@ std::string describe(const std::map<std::string, std::string>& types) {
     text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
   }
   return text.empty() ? "no topics" : text;
+}
+
+std::string topic_of_type(const rosbag::Bag& bag, const std::string& path, const std::string& type,
+                          const std::string& wanted) {
+  const auto types = topic_types(bag);
+  std::vector<std::string> found;
+  for (const auto& [topic, its_type] : types) {
+    const bool asked_for = wanted.empty() || topic == wanted || topic == "/" + wanted;
+    if (its_type == type && asked_for) found.push_back(topic);
+  }
+  if (found.size() == 1) return found.front();
+  throw std::runtime_error(path + ": " + (found.empty() ? "no " : "which ") + type +
+                           (wanted.empty() ? "" : " on " + wanted) + ": the bag has " +
+                           describe(types));
 }
 
 }  // namespace falko_slam

@@ -16,6 +16,11 @@ bool is_bag(const std::string& path);
 /// std::runtime_error that names the file (`path`) and the topics in it.
 std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted);
 
+/// The bag's topic of messages of this type that is `wanted`, or the only one if that is empty.
+/// Throws std::runtime_error that names the file (`path`) and its topics with their types.
+std::string topic_of_type(const rosbag::Bag& bag, const std::string& path, const std::string& type,
+                          const std::string& wanted);
+
 /// Type of the messages on each topic.
 std::map<std::string, std::string> topic_types(const rosbag::Bag& bag);
 

@@ -7,14 +7,9 @@
 
 #include "falko_slam/simulation/motion_track.hpp"
 #include "falko_slam/simulation/vehicle_model.hpp"
+#include "falko_slam/vehicle/wheel_command.hpp"
 
 namespace falko_slam {
-
-/// What a controller asks of the wheel.
-struct WheelCommand {
-  double wheel_speed = 0.0;  ///< as the nominal driving scale has it; negative: backwards [m/s]
-  double steering = 0.0;     ///< as the steering encoder measures it [rad]
-};
 
 /// What recorded encoders went through.
 struct EncoderMotion {

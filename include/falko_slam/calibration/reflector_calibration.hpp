@@ -1,0 +1,26 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "falko_slam/calibration/calibrator.hpp"
+#include "falko_slam/calibration/reflector_range.hpp"
+#include "falko_slam/calibration/segment_recorder.hpp"
+
+namespace falko_slam {
+
+/// A calibration from what a SegmentRecorder cut out of a drive.
+struct ReflectorCalibration {
+  CalibrationResult result;
+  RangeOffset range_offset;           ///< of the scanner's reflectors, mended before
+  std::vector<std::size_t> recorded;  ///< which recorded segment each of result.segments is
+};
+
+/// The recorded segments that have no complaint, their reflectors' ranges mended by the offset that
+/// fits all of them best, calibrated. The same online and from a recording. Throws
+/// std::invalid_argument as calibrate() does.
+ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
+                                        const CalibratorParams& params);
+
+}  // namespace falko_slam

@@ -1,0 +1,218 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/calibration/trajectory_calibration.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "calibration_remarks.hpp"
+#include "falko_slam/common/validation.hpp"
+#include "falko_slam/geometry/angles.hpp"
+#include "joint_estimate.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr double kAsGoodAsNone = 1e-9;  // eigenvalue of an information with ones on its diagonal
+constexpr double kTakesPart = 0.1;      // component of a unit vector
+
+void validate(const std::vector<DriveRecord>& records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Pose2& pose = records[i].world_T_laser;
+    if (!pose.translation().allFinite() || !std::isfinite(pose.theta())) {
+      throw std::invalid_argument("records[" + std::to_string(i + 1) +
+                                  "].world_T_laser: must be finite");
+    }
+  }
+}
+
+// What the wheel did until each record since the one before.
+std::vector<ArcControl> controls_of(const std::vector<DriveRecord>& records,
+                                    const EncoderParams& encoders) {
+  std::vector<ArcControl> controls(records.size());
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    const EncoderReading &before = records[i - 1].encoders, &now = records[i].encoders;
+    const double turned = steering_between(encoders, before.steer_ticks, now.steer_ticks);
+    controls[i] = {static_cast<double>(ticks_between(before.drive_ticks, now.drive_ticks)),
+                   steering_of(encoders, before.steer_ticks) + 0.5 * turned};
+  }
+  return controls;
+}
+
+std::vector<DriveWindow> windows_of(const std::vector<ArcControl>& controls, double ticks) {
+  std::vector<DriveWindow> windows;
+  std::size_t first = 0;
+  double driven = 0.0;
+  for (std::size_t i = 1; i < controls.size(); ++i) {
+    driven += std::abs(controls[i].ticks);
+    const bool last = i + 1 == controls.size();
+    if (driven < ticks && !(last && driven >= 0.5 * ticks)) continue;
+    windows.push_back({first, i});
+    first = i;
+    driven = 0.0;
+  }
+  return windows;
+}
+
+// Both ends are seen with the same noise; the heading at the start turns what is seen of the end.
+Eigen::Matrix3d covariance_of(const Pose2& start_T_end, const TrajectoryCalibratorParams& params) {
+  const Eigen::Matrix3d pose = pose_covariance(params.position_noise, params.heading_noise);
+  return compose(inverse(PoseEstimate{Pose2(), pose}), PoseEstimate{start_T_end, pose}).covariance;
+}
+
+MeasuredStretch stretch_of(const DriveWindow& window, const std::vector<DriveRecord>& records,
+                           const std::vector<ArcControl>& controls,
+                           const TrajectoryCalibratorParams& params) {
+  MeasuredStretch stretch;
+  double turn = 0.0;
+  for (std::size_t i = window.first + 1; i <= window.last; ++i) {
+    if (controls[i].ticks != 0.0) stretch.arcs.push_back(controls[i]);
+    turn += angle_between(records[i - 1].world_T_laser.theta(), records[i].world_T_laser.theta());
+  }
+  const Pose2 start_T_end =
+      records[window.first].world_T_laser.inverse() * records[window.last].world_T_laser;
+  stretch.motion << start_T_end.translation(), turn;
+  stretch.covariance = covariance_of(start_T_end, params);
+  return stretch;
+}
+
+// What most of the window was.
+DrivePhase phase_of(const MeasuredStretch& stretch) {
+  PathSegment all;
+  for (const ArcControl& arc : stretch.arcs) {
+    all.ticks += arc.ticks;
+    all.steering += std::abs(arc.ticks) * arc.steering;
+  }
+  return falko_slam::phase_of(all);
+}
+
+// Parameters that the drive does not determine, at the nominal values: those along the axis of the
+// information, each measured by its own, that is as good as none.
+std::vector<CalibrationParameter> undetermined(const StretchSet& set, const FreeParameters& free,
+                                               const TrajectoryCalibratorParams& params) {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(free.count(), free.count());
+  for (const MeasuredStretch& stretch : set.stretches) {
+    const StretchPrediction prediction = predict(params.nominal, stretch.arcs);
+    const Eigen::Matrix3d covariance = residual_covariance(stretch, prediction, params.noise);
+    const Eigen::MatrixXd H = prediction.dparameters * free.columns;
+    information += H.transpose() * covariance.llt().solve(H);
+  }
+  Eigen::VectorXd axis;
+  const Eigen::VectorXd own = information.diagonal().cwiseSqrt();
+  if (own.minCoeff() > 0.0) {
+    const Eigen::VectorXd by_own = own.cwiseInverse();
+    const Eigen::MatrixXd scaled = by_own.asDiagonal() * information * by_own.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scaled);
+    if (axes.eigenvalues()[0] > kAsGoodAsNone) return {};
+    axis = axes.eigenvectors().col(0);
+  } else {
+    axis = (own.array() <= 0.0).cast<double>();
+  }
+  const CalibrationVector moved = (free.columns * axis).cwiseAbs();
+  const CalibrationVector scale = free.columns.cwiseAbs().rowwise().maxCoeff();
+  std::vector<CalibrationParameter> parameters;
+  for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (moved[row] > kTakesPart * scale[row]) {
+      parameters.push_back(static_cast<CalibrationParameter>(i));
+    }
+  }
+  return parameters;
+}
+
+void add(TrajectoryCalibrationResult& result, const CalibrationRemark& remark) {
+  result.remarks.push_back(remark);
+  result.verdict = std::max(result.verdict, remark.verdict);
+}
+
+StretchSet stretches_of(const std::vector<DriveWindow>& windows,
+                        const std::vector<DriveRecord>& records,
+                        const std::vector<ArcControl>& controls,
+                        const TrajectoryCalibratorParams& params) {
+  StretchSet set;
+  for (const DriveWindow& window : windows) {
+    set.stretches.push_back(stretch_of(window, records, controls, params));
+    set.phases.push_back(static_cast<std::size_t>(phase_of(set.stretches.back())));
+  }
+  set.used.assign(windows.size(), true);
+  return set;
+}
+
+bool is_vehicle(const VehicleCalibration& calibration) {
+  return calibration.tricycle.wheelbase > 0.0 && calibration.tricycle.driving_scale > 0.0;
+}
+
+}  // namespace
+
+void validate(const TrajectoryCalibratorParams& params) {
+  validate(params.nominal.tricycle);
+  validate(params.encoders);
+  validate(params.noise);
+  validate(params.outliers);
+  validate(params.limits);
+  require_in_range("nominal.steer_gain", params.nominal.steer_gain, 0.01, 100.0);
+  require_in_range("window", params.window, 0.01, 1e3);
+  require_in_range("position_noise", params.position_noise, 1e-9, 10.0);
+  require_in_range("heading_noise", params.heading_noise, 1e-9, 1.0);
+}
+
+DriveError drive_error(const std::vector<DriveRecord>& records, const EncoderParams& encoders,
+                       const VehicleCalibration& calibration) {
+  DriveError error;
+  if (records.empty()) return error;
+  const std::vector<ArcControl> controls = controls_of(records, encoders);
+  const Pose2& laser = calibration.base_T_laser;
+  Pose2 world_T_base = records.front().world_T_laser * laser.inverse();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    world_T_base = world_T_base * drive_arc(calibration.tricycle, controls[i].ticks,
+                                            calibration.steer_gain * controls[i].steering);
+    const double distance =
+        (world_T_base * laser.translation() - records[i].world_T_laser.translation()).norm();
+    error.mean += distance / static_cast<double>(records.size());
+    error.greatest = std::max(error.greatest, distance);
+  }
+  return error;
+}
+
+TrajectoryCalibrationResult calibrate_trajectory(const std::vector<DriveRecord>& records,
+                                                 const TrajectoryCalibratorParams& params) {
+  validate(params);
+  validate(records);
+  TrajectoryCalibrationResult result;
+  result.verdict = CalibrationVerdict::kOk;
+  result.nominal_error = drive_error(records, params.encoders, params.nominal);
+  const std::vector<ArcControl> controls = controls_of(records, params.encoders);
+  result.windows = windows_of(controls, params.window / params.nominal.tricycle.driving_scale);
+  StretchSet set = stretches_of(result.windows, records, controls, params);
+  const FreeParameters free = free_parameters(
+      {params.model, params.free_wheelbase, params.free_steer_gain}, params.nominal);
+  const auto unknown = undetermined(set, free, params);
+  if (!unknown.empty()) {
+    add(result, {CalibrationVerdict::kUnobservable, unknown,
+                 "the drive does not determine " + list_of(unknown),
+                 "drive curves to both sides, in each direction that has an offset of its own"});
+    return result;
+  }
+  auto joint = estimate_jointly(set, free, params.nominal, params.noise, params.outliers);
+  if (!joint || !is_vehicle(joint->estimate.calibration)) {
+    add(result, {CalibrationVerdict::kContradictory,
+                 {},
+                 "no tricycle drives like that",
+                 "check the signs and units of ticks, steering and poses"});
+    return result;
+  }
+  result.tied = tied_parameters(joint->estimate.covariance);
+  for (const auto& remark :
+       remarks_on(set, free, *joint, result.tied, {params.limits, params.noise, false})) {
+    add(result, remark);
+  }
+  result.error = drive_error(records, params.encoders, joint->estimate.calibration);
+  result.estimate = std::move(joint->estimate);
+  return result;
+}
+
+}  // namespace falko_slam

@@ -1,0 +1,149 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "calibration_print.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "falko_slam/calibration/calibration_file.hpp"
+#include "falko_slam/calibration/reflector_calibration.hpp"
+#include "falko_slam/ros_bridge/calibration_recording.hpp"
+#include "falko_slam/sensor/log_kind.hpp"
+#include "falko_slam/vehicle/tricycle_log.hpp"
+
+namespace falko_slam {
+namespace cli {
+namespace {
+
+struct CalibrateOptions {
+  std::string recording, start, out, date;
+  bool standard = false;
+  CalibrationTopics topics;
+  SegmentRecorderParams recorder;
+  CalibratorParams calibrator;
+  std::vector<double> laser;
+};
+
+bool ends_in_bag(const std::string& path) {
+  return path.size() > 4 && path.compare(path.size() - 4, 4, ".bag") == 0;
+}
+
+void finish(const CalibrateOptions& options, const StoredCalibration& stored) {
+  if (options.out.empty()) return;
+  write_calibration(options.out, stored);
+  std::cout << "wrote " << options.out << "\n";
+}
+
+[[noreturn]] void refuse(CalibrationVerdict verdict) {
+  throw std::runtime_error(std::string("no calibration: the verdict is ") + name_of(verdict));
+}
+
+// What the vehicle's controller believes: from a file of an earlier calibration, and from options.
+void take_nominal(CalibrateOptions& options) {
+  if (!options.start.empty()) {
+    const VehicleCalibration start = read_calibration(options.start).calibration;
+    options.recorder.tricycle = start.tricycle;
+    options.recorder.base_T_laser = start.base_T_laser;
+    options.calibrator.steer_gain = start.steer_gain;
+  }
+  if (options.laser.size() == 3) {
+    options.recorder.base_T_laser = Pose2(options.laser[0], options.laser[1], options.laser[2]);
+  }
+  options.calibrator.wheelbase = options.recorder.tricycle.wheelbase;
+}
+
+void calibrate_bag(CalibrateOptions options) {
+  take_nominal(options);
+  const CalibrationRecording recording =
+      read_calibration_drive(options.recording, options.topics, options.recorder);
+  std::cout << options.recording << ": " << recording.description << "\n";
+  const ReflectorCalibration calibration =
+      calibrate_recorded(recording.segments, options.calibrator);
+  print_segments(std::cout, recording.segments, calibration);
+  print(std::cout, calibration.result);
+  if (!calibration.result.estimate) refuse(calibration.result.verdict);
+  finish(options, stored_calibration(calibration.result, options.calibrator.model, options.date));
+}
+
+void calibrate_log(const CalibrateOptions& options) {
+  TricycleLogReader reader(options.recording);
+  std::vector<DriveRecord> records;
+  while (const auto record = reader.next()) {
+    records.push_back({record->encoders, record->start_T_laser});
+  }
+  std::cout << options.recording << ": " << describe(reader.report()) << "\n";
+  TrajectoryCalibratorParams params;
+  params.model = options.calibrator.model;
+  params.nominal.tricycle = tricycle_params_of(reader.header());
+  params.nominal.base_T_laser = reader.header().base_T_laser;
+  params.encoders = encoder_params_of(reader.header());
+  params.free_wheelbase = options.calibrator.free_wheelbase;
+  params.free_steer_gain = options.calibrator.free_steer_gain;
+  const TrajectoryCalibrationResult result = calibrate_trajectory(records, params);
+  print(std::cout, result);
+  if (!result.estimate) refuse(result.verdict);
+  finish(options, stored_calibration(result, params.model, options.date));
+}
+
+void run(CalibrateOptions options) {
+  if (options.standard) options.calibrator.model = TricycleModel::kStandard;
+  if (ends_in_bag(options.recording)) {
+    calibrate_bag(std::move(options));
+  } else if (recognize_log(options.recording) == LogKind::kTricycle) {
+    calibrate_log(options);
+  } else {
+    throw std::runtime_error(options.recording + ": neither a bag nor a tricycle's log");
+  }
+}
+
+void add_nominal_options(CLI::App* verb, CalibrateOptions& options) {
+  SegmentRecorderParams& recorder = options.recorder;
+  verb->add_option("--start", options.start,
+                   "file of an earlier calibration; the options below count before it");
+  verb->add_option("--wheelbase", recorder.tricycle.wheelbase, "of the vehicle [m]")
+      ->capture_default_str();
+  verb->add_option("--driving-scale", recorder.tricycle.driving_scale,
+                   "way of the driven wheel per tick, as it is believed to be [m]")
+      ->capture_default_str();
+  verb->add_option("--laser", options.laser,
+                   "x y theta of the laser on the vehicle, as they are believed to be [m], [rad]")
+      ->expected(3);
+  verb->add_option("--steer-ticks-per-turn", recorder.encoders.steer_ticks_per_turn)
+      ->capture_default_str();
+  verb->add_option("--steer-zero", recorder.encoders.steer_zero,
+                   "reading of a wheel that looks straight ahead")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app) {
+  auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "calibrate", "steer offsets, driving scale and pose of the laser of a tricycle");
+  verb->add_option("recording", options->recording,
+                   "bag with encoders and reflectors of a calibration drive, or a tricycle's log")
+      ->required();
+  verb->add_option("--out", options->out,
+                   "YAML file to write; one that is there is kept as FILE.previous.yaml");
+  verb->add_option("--date", options->date, "text for the file, default empty");
+  add_nominal_options(verb, *options);
+  verb->add_option("--encoders", options->topics.encoders, "topic; default: the only one");
+  verb->add_option("--reflectors", options->topics.reflectors, "topic; default: the only one");
+  verb->add_flag("--standard", options->standard, "one steer offset for both directions");
+  verb->add_flag("--free-wheelbase", options->calibrator.free_wheelbase, "find the wheelbase, too");
+  verb->add_flag("--free-steer-gain", options->calibrator.free_steer_gain,
+                 "find what the measured steering is to be multiplied with, too");
+  verb->add_option("--slip", options->calibrator.noise.slip,
+                   "standard deviation of a segment's slip, as a share of its way")
+      ->capture_default_str();
+  verb->add_option("--steer-noise", options->calibrator.noise.steer,
+                   "standard deviation of a segment's steering error [rad]")
+      ->capture_default_str();
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace cli
+}  // namespace falko_slam
