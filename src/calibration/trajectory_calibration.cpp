@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kAsGoodAsNone = 1e-9;  // eigenvalue of an information with ones on its diagonal
 constexpr double kTakesPart = 0.1;      // component of a unit vector
+constexpr std::size_t kNeighbours = 3;  // records on either side that tell a velocity
 
 void validate(const std::vector<DriveRecord>& records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -58,10 +59,32 @@ std::vector<DriveWindow> windows_of(const std::vector<ArcControl>& controls, dou
   return windows;
 }
 
-// Both ends are seen with the same noise; the heading at the start turns what is seen of the end.
-Eigen::Matrix3d covariance_of(const Pose2& start_T_end, const TrajectoryCalibratorParams& params) {
+// How the laser moves in its own frame as a record is taken, (x, y, theta) per second.
+Eigen::Vector3d velocity_at(const std::vector<DriveRecord>& records, std::size_t index) {
+  const std::size_t before = index < kNeighbours ? 0 : index - kNeighbours;
+  const std::size_t after = std::min(index + kNeighbours, records.size() - 1);
+  const double time = to_seconds(records[after].encoders.stamp - records[before].encoders.stamp);
+  if (!(time > 0.0)) return Eigen::Vector3d::Zero();
+  return (records[before].world_T_laser.inverse() * records[after].world_T_laser).log() / time;
+}
+
+// Both ends are seen with the same noise, and a little sooner or later than the encoders are read:
+// an end that is late by dt lies v dt further.
+Eigen::Matrix3d covariance_of(const DriveWindow& window, const std::vector<DriveRecord>& records,
+                              const TrajectoryCalibratorParams& params) {
+  const Pose2& start = records[window.first].world_T_laser;
+  const Pose2 start_T_end = start.inverse() * records[window.last].world_T_laser;
   const Eigen::Matrix3d pose = pose_covariance(params.position_noise, params.heading_noise);
-  return compose(inverse(PoseEstimate{Pose2(), pose}), PoseEstimate{start_T_end, pose}).covariance;
+  const PoseEstimate seen =
+      compose(inverse(PoseEstimate{Pose2(), pose}), PoseEstimate{start_T_end, pose});
+  const Eigen::Vector3d at_start = velocity_at(records, window.first);
+  const Eigen::Vector3d at_end = velocity_at(records, window.last);
+  const ComposeJacobians slopes = compose_jacobians(Pose2(), start_T_end);
+  Eigen::Vector3d late_end = at_end;
+  late_end.head<2>() = start_T_end.rotation() * at_end.head<2>();
+  const Eigen::Vector3d late_start = -(slopes.dresult_dleft * at_start);
+  return seen.covariance + std::pow(params.timing_noise, 2) * (late_end * late_end.transpose() +
+                                                               late_start * late_start.transpose());
 }
 
 MeasuredStretch stretch_of(const DriveWindow& window, const std::vector<DriveRecord>& records,
@@ -76,7 +99,7 @@ MeasuredStretch stretch_of(const DriveWindow& window, const std::vector<DriveRec
   const Pose2 start_T_end =
       records[window.first].world_T_laser.inverse() * records[window.last].world_T_laser;
   stretch.motion << start_T_end.translation(), turn;
-  stretch.covariance = covariance_of(start_T_end, params);
+  stretch.covariance = covariance_of(window, records, params);
   return stretch;
 }
 
@@ -142,6 +165,17 @@ StretchSet stretches_of(const std::vector<DriveWindow>& windows,
   return set;
 }
 
+// Steering and laser for the lengths as they are: from far away, all at once would lead to vehicles
+// of negative length.
+VehicleCalibration with_nominal_lengths(const StretchSet& set,
+                                        const TrajectoryCalibratorParams& params) {
+  FreeParameters free =
+      free_parameters({params.model, false, params.free_steer_gain}, params.nominal);
+  const auto scale = static_cast<Eigen::Index>(index_of(CalibrationParameter::kDrivingScale));
+  free.columns.row(scale).setZero();
+  return fit(set, free, params.nominal, params.noise, FitLoss::kNone).calibration;
+}
+
 bool is_vehicle(const VehicleCalibration& calibration) {
   return calibration.tricycle.wheelbase > 0.0 && calibration.tricycle.driving_scale > 0.0;
 }
@@ -158,6 +192,7 @@ void validate(const TrajectoryCalibratorParams& params) {
   require_in_range("window", params.window, 0.01, 1e3);
   require_in_range("position_noise", params.position_noise, 1e-9, 10.0);
   require_in_range("heading_noise", params.heading_noise, 1e-9, 1.0);
+  require_in_range("timing_noise", params.timing_noise, 0.0, 10.0);
 }
 
 DriveError drive_error(const std::vector<DriveRecord>& records, const EncoderParams& encoders,
@@ -197,7 +232,8 @@ TrajectoryCalibrationResult calibrate_trajectory(const std::vector<DriveRecord>&
                  "drive curves to both sides, in each direction that has an offset of its own"});
     return result;
   }
-  auto joint = estimate_jointly(set, free, params.nominal, params.noise, params.outliers);
+  const VehicleCalibration start = with_nominal_lengths(set, params);
+  auto joint = estimate_jointly(set, free, start, params.noise, params.outliers);
   if (!joint || !is_vehicle(joint->estimate.calibration)) {
     add(result, {CalibrationVerdict::kContradictory,
                  {},
