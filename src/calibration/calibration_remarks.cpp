@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calibration_remarks.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "falko_slam/common/validation.hpp"
-#include "falko_slam/geometry/angles.hpp"
+#include "next_arc.hpp"
 
 namespace falko_slam {
 namespace {
@@ -42,59 +38,6 @@ double limit_of(Parameter parameter, const CalibrationLimits& limits,
       return limits.steer_gain * calibration.steer_gain;
   }
   return 0.0;
-}
-
-struct Arc {
-  DrivePhase phase;
-  double steering;
-};
-
-std::vector<Arc> possible_arcs() {
-  std::vector<Arc> arcs;
-  for (const DrivePhase phase : kAllDrivePhases) {
-    const bool left = phase == DrivePhase::kForwardLeft || phase == DrivePhase::kBackwardLeft;
-    for (const double degrees : {20.0, 30.0, 40.0, 50.0}) {
-      arcs.push_back({phase, degrees_to_radians(left ? degrees : -degrees)});
-    }
-  }
-  return arcs;
-}
-
-// Half a turn, seen as well as the others were on the average.
-MeasuredStretch imagined(const Arc& arc, const VehicleCalibration& calibration,
-                         const StretchSet& set) {
-  const TricycleParams& tricycle = calibration.tricycle;
-  const double ticks =
-      kPi * tricycle.wheelbase / (tricycle.driving_scale * std::sin(std::abs(arc.steering)));
-  MeasuredStretch stretch{{{is_forward(arc.phase) ? ticks : -ticks, arc.steering}}, {}, {}};
-  stretch.covariance.setZero();
-  for (const MeasuredStretch& other : set.stretches) stretch.covariance += other.covariance;
-  stretch.covariance /= static_cast<double>(set.stretches.size());
-  return stretch;
-}
-
-std::string best_arc(const StretchSet& set, const FreeParameters& free,
-                     const VehicleCalibration& calibration, const Eigen::MatrixXd& covariance_of_x,
-                     Parameter parameter, const RemarkParams& params) {
-  const Eigen::MatrixXd information = covariance_of_x.inverse();
-  double least = std::numeric_limits<double>::infinity();
-  Arc best{};
-  for (const Arc& arc : possible_arcs()) {
-    const MeasuredStretch stretch = imagined(arc, calibration, set);
-    const StretchPrediction prediction = predict(calibration, stretch.arcs);
-    const Eigen::Matrix3d covariance = residual_covariance(stretch, prediction, params.noise);
-    const Eigen::MatrixXd H = prediction.dparameters * free.columns;
-    const Eigen::MatrixXd more = information + H.transpose() * covariance.llt().solve(H);
-    const Eigen::VectorXd by_x = free.columns.row(row(parameter)).transpose();
-    const double variance = by_x.dot(more.llt().solve(by_x));
-    if (variance >= least) continue;
-    least = variance;
-    best = arc;
-  }
-  std::ostringstream text;
-  text << "drive more arcs " << name_of(best.phase) << ", half a turn steered by about "
-       << std::round(radians_to_degrees(std::abs(best.steering))) << " degrees";
-  return text.str();
 }
 
 double correlation_of(const CalibrationMatrix& covariance, Parameter a, Parameter b) {
@@ -128,12 +71,11 @@ void add_weak_parameters(const StretchSet& set, const FreeParameters& free,
     std::ostringstream reason;
     reason << name_of(parameter) << " has a standard deviation of " << deviation << ", more than "
            << limit;
-    remarks.push_back(
-        {CalibrationVerdict::kWeak,
-         {parameter},
-         reason.str(),
-         params.arcs ? best_arc(set, free, calibration, joint.covariance_of_x, parameter, params)
-                     : "drive more, and more variously"});
+    remarks.push_back({CalibrationVerdict::kWeak,
+                       {parameter},
+                       reason.str(),
+                       params.arcs ? next_arc_for(parameter, set, free, joint, params.noise)
+                                   : "drive more, and more variously"});
   }
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "calibration_remarks.hpp"
+#include "drive_windows.hpp"
 #include "falko_slam/common/validation.hpp"
-#include "falko_slam/geometry/angles.hpp"
 #include "joint_estimate.hpp"
 
 namespace falko_slam {
@@ -28,66 +28,6 @@ void validate(const std::vector<DriveRecord>& records) {
                                   "].world_T_laser: must be finite");
     }
   }
-}
-
-// What the wheel did until each record since the one before.
-std::vector<ArcControl> controls_of(const std::vector<DriveRecord>& records,
-                                    const EncoderParams& encoders) {
-  std::vector<ArcControl> controls(records.size());
-  for (std::size_t i = 1; i < records.size(); ++i) {
-    const EncoderReading &before = records[i - 1].encoders, &now = records[i].encoders;
-    const double turned = steering_between(encoders, before.steer_ticks, now.steer_ticks);
-    controls[i] = {static_cast<double>(ticks_between(before.drive_ticks, now.drive_ticks)),
-                   steering_of(encoders, before.steer_ticks) + 0.5 * turned};
-  }
-  return controls;
-}
-
-std::vector<DriveWindow> windows_of(const std::vector<ArcControl>& controls, double ticks) {
-  std::vector<DriveWindow> windows;
-  std::size_t first = 0;
-  double driven = 0.0;
-  for (std::size_t i = 1; i < controls.size(); ++i) {
-    driven += std::abs(controls[i].ticks);
-    const bool last = i + 1 == controls.size();
-    if (driven < ticks && !(last && driven >= 0.5 * ticks)) continue;
-    windows.push_back({first, i});
-    first = i;
-    driven = 0.0;
-  }
-  return windows;
-}
-
-// Both ends are seen with the same noise; the heading at the start turns what is seen of the end.
-Eigen::Matrix3d covariance_of(const Pose2& start_T_end, const TrajectoryCalibratorParams& params) {
-  const Eigen::Matrix3d pose = pose_covariance(params.position_noise, params.heading_noise);
-  return compose(inverse(PoseEstimate{Pose2(), pose}), PoseEstimate{start_T_end, pose}).covariance;
-}
-
-MeasuredStretch stretch_of(const DriveWindow& window, const std::vector<DriveRecord>& records,
-                           const std::vector<ArcControl>& controls,
-                           const TrajectoryCalibratorParams& params) {
-  MeasuredStretch stretch;
-  double turn = 0.0;
-  for (std::size_t i = window.first + 1; i <= window.last; ++i) {
-    if (controls[i].ticks != 0.0) stretch.arcs.push_back(controls[i]);
-    turn += angle_between(records[i - 1].world_T_laser.theta(), records[i].world_T_laser.theta());
-  }
-  const Pose2 start_T_end =
-      records[window.first].world_T_laser.inverse() * records[window.last].world_T_laser;
-  stretch.motion << start_T_end.translation(), turn;
-  stretch.covariance = covariance_of(start_T_end, params);
-  return stretch;
-}
-
-// What most of the window was.
-DrivePhase phase_of(const MeasuredStretch& stretch) {
-  PathSegment all;
-  for (const ArcControl& arc : stretch.arcs) {
-    all.ticks += arc.ticks;
-    all.steering += std::abs(arc.ticks) * arc.steering;
-  }
-  return falko_slam::phase_of(all);
 }
 
 // Parameters that the drive does not determine, at the nominal values: those along the axis of the
@@ -129,17 +69,15 @@ void add(TrajectoryCalibrationResult& result, const CalibrationRemark& remark) {
   result.verdict = std::max(result.verdict, remark.verdict);
 }
 
-StretchSet stretches_of(const std::vector<DriveWindow>& windows,
-                        const std::vector<DriveRecord>& records,
-                        const std::vector<ArcControl>& controls,
-                        const TrajectoryCalibratorParams& params) {
-  StretchSet set;
-  for (const DriveWindow& window : windows) {
-    set.stretches.push_back(stretch_of(window, records, controls, params));
-    set.phases.push_back(static_cast<std::size_t>(phase_of(set.stretches.back())));
-  }
-  set.used.assign(windows.size(), true);
-  return set;
+// Steering and laser for the lengths as they are: from far away, all at once would lead to vehicles
+// of negative length.
+VehicleCalibration with_nominal_lengths(const StretchSet& set,
+                                        const TrajectoryCalibratorParams& params) {
+  FreeParameters free =
+      free_parameters({params.model, false, params.free_steer_gain}, params.nominal);
+  const auto scale = static_cast<Eigen::Index>(index_of(CalibrationParameter::kDrivingScale));
+  free.columns.row(scale).setZero();
+  return fit(set, free, params.nominal, params.noise, FitLoss::kNone).calibration;
 }
 
 bool is_vehicle(const VehicleCalibration& calibration) {
@@ -158,6 +96,7 @@ void validate(const TrajectoryCalibratorParams& params) {
   require_in_range("window", params.window, 0.01, 1e3);
   require_in_range("position_noise", params.position_noise, 1e-9, 10.0);
   require_in_range("heading_noise", params.heading_noise, 1e-9, 1.0);
+  require_in_range("timing_noise", params.timing_noise, 0.0, 10.0);
 }
 
 DriveError drive_error(const std::vector<DriveRecord>& records, const EncoderParams& encoders,
@@ -197,7 +136,8 @@ TrajectoryCalibrationResult calibrate_trajectory(const std::vector<DriveRecord>&
                  "drive curves to both sides, in each direction that has an offset of its own"});
     return result;
   }
-  auto joint = estimate_jointly(set, free, params.nominal, params.noise, params.outliers);
+  const VehicleCalibration start = with_nominal_lengths(set, params);
+  auto joint = estimate_jointly(set, free, start, params.noise, params.outliers);
   if (!joint || !is_vehicle(joint->estimate.calibration)) {
     add(result, {CalibrationVerdict::kContradictory,
                  {},

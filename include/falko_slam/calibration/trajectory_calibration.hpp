@@ -27,6 +27,9 @@ struct TrajectoryCalibratorParams {
       1.0;  ///< way of the driven wheel that is fitted at once, nominal [m], [0.01, 1e3]
   double position_noise = 0.005;  ///< standard deviation of the laser's coordinates [m], (0, 10]
   double heading_noise = 1e-3;    ///< of its heading [rad], (0, 1]
+  /// Of the time by which the encoders tell of another instant than the pose, as where their
+  /// counters come in gusts [s], [0, 10].
+  double timing_noise = 0.02;
   /// Of a window. A drive has no phases, so nothing is in common.
   CalibrationNoise noise{0.01, 0.01, 0.0, 0.0, 0.0, 0.0, 8.0};
   OutlierParams outliers;
