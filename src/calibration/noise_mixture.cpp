@@ -47,6 +47,7 @@ double solve(const WhitenedSums& sums, MixtureComponent& component) {
 std::vector<double> common_levels(double greatest) {
   if (greatest <= 0.0) return {0.0};
   std::vector<double> levels;
+  levels.reserve(kLevels);
   for (int i = 0; i < kLevels; ++i) levels.push_back(greatest * std::pow(2.0, -i));
   return levels;
 }
