@@ -59,8 +59,8 @@ void calibrate_bag(CalibrateOptions options) {
   const CalibrationRecording recording =
       read_calibration_drive(options.recording, options.topics, options.recorder);
   std::cout << options.recording << ": " << recording.description << "\n";
-  const ReflectorCalibration calibration =
-      calibrate_recorded(recording.segments, options.calibrator);
+  const ReflectorCalibration calibration = calibrate_recorded(
+      recording.segments, options.calibrator, options.recorder.reflectors.lasting_noise);
   print_segments(std::cout, recording.segments, calibration);
   print(std::cout, calibration.result);
   if (!calibration.result.estimate) refuse(calibration.result.verdict);

@@ -18,9 +18,13 @@ struct ReflectorCalibration {
 };
 
 /// The recorded segments that have no complaint, their reflectors' ranges mended by the offset that
-/// fits all of them best, calibrated. The same online and from a recording. Throws
-/// std::invalid_argument as calibrate() does.
+/// fits all of them best, calibrated. The same online and from a recording.
+///
+/// How a reflector looks from a place does not average out (`lasting_noise` [m], as in
+/// ReflectorMotionParams), and arcs of one phase begin and end in much the same directions: what
+/// this does to their egomotion counts as common to the phase, unless `params.noise` says more.
+/// Throws std::invalid_argument as calibrate() does.
 ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
-                                        const CalibratorParams& params);
+                                        const CalibratorParams& params, double lasting_noise);
 
 }  // namespace falko_slam
