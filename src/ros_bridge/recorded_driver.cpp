@@ -7,6 +7,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -109,19 +110,14 @@ constexpr Kind kKinds[] = {{"falko_slam/DriveCommand", read_commands},
 RecordedDrive read(const rosbag::Bag& bag, const std::string& path, const std::string& wanted,
                    const VehicleModel& vehicle) {
   const auto types = topic_types(bag);
-  for (const Kind& kind : kKinds) {
-    std::vector<std::string> topics;
-    for (const auto& [topic, type] : types) {
-      const bool asked_for = wanted.empty() || topic == wanted || topic == "/" + wanted;
-      if (type == kind.type && asked_for) topics.push_back(topic);
-    }
-    if (topics.size() == 1) return kind.read({bag, topics.front()}, vehicle);
-    if (topics.size() > 1) {
-      throw std::runtime_error(path + ": which " + kind.type + "? " + describe(types));
-    }
-  }
   std::string needed;
-  for (const Kind& kind : kKinds) needed += (needed.empty() ? "" : ", ") + std::string(kind.type);
+  for (const Kind& kind : kKinds) {
+    const bool there = std::any_of(types.begin(), types.end(), [&](const auto& topic) {
+      return topic.second == kind.type && is_wanted(topic.first, wanted);
+    });
+    if (there) return kind.read({bag, topic_of_type(bag, path, kind.type, wanted)}, vehicle);
+    needed += (needed.empty() ? "" : ", ") + std::string(kind.type);
+  }
   throw std::runtime_error(path + ": no drive" + (wanted.empty() ? "" : " on " + wanted) +
                            ": needs a topic of " + needed + "; the bag has " + describe(types));
 }

@@ -58,13 +58,16 @@ std::string describe(const std::map<std::string, std::string>& types) {
   return text.empty() ? "no topics" : text;
 }
 
+bool is_wanted(const std::string& topic, const std::string& wanted) {
+  return wanted.empty() || topic == wanted || topic == "/" + wanted;
+}
+
 std::string topic_of_type(const rosbag::Bag& bag, const std::string& path, const std::string& type,
                           const std::string& wanted) {
   const auto types = topic_types(bag);
   std::vector<std::string> found;
   for (const auto& [topic, its_type] : types) {
-    const bool asked_for = wanted.empty() || topic == wanted || topic == "/" + wanted;
-    if (its_type == type && asked_for) found.push_back(topic);
+    if (its_type == type && is_wanted(topic, wanted)) found.push_back(topic);
   }
   if (found.size() == 1) return found.front();
   throw std::runtime_error(path + ": " + (found.empty() ? "no " : "which ") + type +

@@ -16,6 +16,9 @@ bool is_bag(const std::string& path);
 /// std::runtime_error that names the file (`path`) and the topics in it.
 std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const std::string& wanted);
 
+/// Asked for, with or without its leading slash; where nothing is asked for, each.
+bool is_wanted(const std::string& topic, const std::string& wanted);
+
 /// The bag's topic of messages of this type that is `wanted`, or the only one if that is empty.
 /// Throws std::runtime_error that names the file (`path`) and its topics with their types.
 std::string topic_of_type(const rosbag::Bag& bag, const std::string& path, const std::string& type,

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "falko_slam/calibration/reflector_motion.hpp"
+#include "falko_slam/calibration/reflector_motion_estimator.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {

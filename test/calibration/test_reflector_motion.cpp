@@ -1,6 +1,6 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "falko_slam/calibration/reflector_motion.hpp"
+#include "falko_slam/calibration/reflector_motion_estimator.hpp"
 
 #include <gtest/gtest.h>
 

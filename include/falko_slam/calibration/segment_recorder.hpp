@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "falko_slam/calibration/path_segment.hpp"
-#include "falko_slam/calibration/reflector_motion.hpp"
+#include "falko_slam/calibration/reflector_motion_estimator.hpp"
 #include "falko_slam/common/time.hpp"
 #include "falko_slam/vehicle/tricycle_odometry.hpp"
 
