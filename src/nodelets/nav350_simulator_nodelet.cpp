@@ -131,7 +131,11 @@ void Nav350SimulatorNodelet::begin(Time now) {
 
 // What happens in a period is worked out while it lasts and published when it ends.
 void Nav350SimulatorNodelet::run() {
-  RealTime real_time(params_.rate);
+  // A clock of its own may lose time; stamps of the machine's time may not stay behind it.
+  constexpr auto kClockLoses = std::chrono::milliseconds(500);
+  constexpr auto kNeverGivesUp = std::chrono::hours(1000);
+  RealTime real_time(params_.rate,
+                     is_clock_ ? RealTime::Clock::duration(kClockLoses) : kNeverGivesUp);
   publish(first_messages());
   while (!stop_ && ros::ok()) {
     const SimulationMessages messages = advance();

@@ -9,22 +9,21 @@
 namespace falko_slam {
 
 /// Keeps steps of simulated time in step with the machine's steady clock, and says how far behind
-/// they are. What was late is caught up with, unless it is more than `kGiveUp`: then time goes on
-/// from there.
+/// they are. What was late is caught up with, unless it is more than `most`: then time goes on from
+/// there.
 class RealTime {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kGiveUp{500};
 
   /// `rate` seconds of simulated time pass in one second.
-  explicit RealTime(double rate) : rate_(rate) {}
+  RealTime(double rate, Clock::duration most) : rate_(rate), most_(most) {}
 
   /// Waits until as much real time has passed as the simulated time until now asks for.
   void wait_for(std::chrono::nanoseconds simulated) {
     due_ += std::chrono::duration_cast<Clock::duration>(simulated / rate_);
     const Clock::time_point now = Clock::now();
     late_ = now > due_ ? now - due_ : Clock::duration::zero();
-    if (late_ > kGiveUp) {
+    if (late_ > most_) {
       due_ = now;
       ++given_up_;
     }
@@ -36,6 +35,7 @@ class RealTime {
 
  private:
   double rate_;
+  Clock::duration most_;
   Clock::time_point due_ = Clock::now();
   Clock::duration late_{};
   std::uint64_t given_up_ = 0;
