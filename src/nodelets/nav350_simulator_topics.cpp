@@ -5,8 +5,6 @@
 #include <rosgraph_msgs/Clock.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cmath>
-
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
 #include "falko_slam/ros_bridge/world_markers.hpp"
@@ -15,13 +13,8 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kPathStep = 0.1;            // of the true path [m]
 constexpr std::size_t kLongestPath = 20000;  // then its older half is forgotten
 constexpr double kWarningPeriod = 5.0;       // [s]
-
-double distance(const geometry_msgs::PoseStamped& a, const geometry_msgs::PoseStamped& b) {
-  return std::hypot(a.pose.position.x - b.pose.position.x, a.pose.position.y - b.pose.position.y);
-}
 
 }  // namespace
 
@@ -46,11 +39,9 @@ void Nav350SimulatorNodelet::publish(const SimulationMessages& messages) {
 
 void Nav350SimulatorNodelet::publish_slowly(const geometry_msgs::PoseStamped& truth) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (path_.poses.empty() || distance(path_.poses.back(), truth) >= kPathStep) {
-    path_.poses.push_back(truth);
-    if (path_.poses.size() > kLongestPath) {
-      path_.poses.erase(path_.poses.begin(), path_.poses.begin() + kLongestPath / 2);
-    }
+  extend_path(path_, truth);
+  if (path_.poses.size() > kLongestPath) {
+    path_.poses.erase(path_.poses.begin(), path_.poses.begin() + kLongestPath / 2);
   }
   const double seconds = (truth.header.stamp - last_slow_).toSec();
   if (seconds >= 0.0 && seconds < 1.0) return;

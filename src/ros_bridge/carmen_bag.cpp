@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/ros_bridge/carmen_bag.hpp"
 
-#include <geometry_msgs/PoseStamped.h>
-#include <nav_msgs/Odometry.h>
 #include <sensor_msgs/LaserScan.h>
 
 #include <stdexcept>
@@ -23,7 +21,7 @@ class CarmenBagWriter {
   CarmenBagWriter(BagFile& bag, const CarmenBagParams& params) : bag_(bag), params_(params) {}
 
   void operator()(const CarmenOdometry& odometry) {
-    nav_msgs::Odometry message = odometry_message(odometry.odom_T_robot, odometry.stamp);
+    nav_msgs::Odometry message = odometry_at(odometry.odom_T_robot, odometry.stamp);
     message.twist.twist.linear.x = odometry.forward_velocity;
     message.twist.twist.angular.z = odometry.turn_velocity;
     write_odometry(message, odometry.odom_T_robot, odometry.stamp);
@@ -34,9 +32,11 @@ class CarmenBagWriter {
 
   void operator()(const CarmenScan& scan) {
     if (!mount_written_) write_mount(scan);
-    write_odometry(odometry_message(scan.world_T_robot, scan.stamp), scan.world_T_robot,
-                   scan.stamp);
-    if (vertex_) write_ground_truth(vertex_->map_T_robot, scan.stamp);
+    write_odometry(odometry_at(scan.world_T_robot, scan.stamp), scan.world_T_robot, scan.stamp);
+    if (vertex_) {
+      bag_.write(topics::kGroundTruth, scan.stamp,
+                 stamped_pose(vertex_->map_T_robot, scan.stamp, params_.map_frame));
+    }
     vertex_.reset();
     bag_.write(topics::kScan, scan.stamp, to_message(scan.raw(), params_.laser_frame));
   }
@@ -50,27 +50,14 @@ class CarmenBagWriter {
     mount_written_ = true;
   }
 
-  nav_msgs::Odometry odometry_message(const Pose2& odom_T_robot, Time stamp) const {
-    nav_msgs::Odometry message;
-    message.header.stamp = to_ros(stamp);
-    message.header.frame_id = params_.odom_frame;
-    message.child_frame_id = params_.base_frame;
-    message.pose.pose = to_message(odom_T_robot);
-    return message;
+  nav_msgs::Odometry odometry_at(const Pose2& odom_T_robot, Time stamp) const {
+    return odometry_message(odom_T_robot, stamp, params_.odom_frame, params_.base_frame);
   }
 
   void write_odometry(const nav_msgs::Odometry& message, const Pose2& odom_T_robot, Time stamp) {
     bag_.write(topics::kTf, stamp,
                to_transform(odom_T_robot, stamp, params_.odom_frame, params_.base_frame));
     bag_.write(topics::kOdometry, stamp, message);
-  }
-
-  void write_ground_truth(const Pose2& map_T_robot, Time stamp) {
-    geometry_msgs::PoseStamped message;
-    message.header.stamp = to_ros(stamp);
-    message.header.frame_id = params_.map_frame;
-    message.pose = to_message(map_T_robot);
-    bag_.write(topics::kGroundTruth, stamp, message);
   }
 
   BagFile& bag_;

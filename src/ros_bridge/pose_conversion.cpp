@@ -17,6 +17,30 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   return message;
 }
 
+std_msgs::Header header_of(Time stamp, const std::string& frame) {
+  std_msgs::Header header;
+  header.stamp = to_ros(stamp);
+  header.frame_id = frame;
+  return header;
+}
+
+geometry_msgs::PoseStamped stamped_pose(const Pose2& frame_T_pose, Time stamp,
+                                        const std::string& frame) {
+  geometry_msgs::PoseStamped message;
+  message.header = header_of(stamp, frame);
+  message.pose = to_message(frame_T_pose);
+  return message;
+}
+
+nav_msgs::Odometry odometry_message(const Pose2& odom_T_base, Time stamp, const std::string& odom,
+                                    const std::string& base) {
+  nav_msgs::Odometry message;
+  message.header = header_of(stamp, odom);
+  message.child_frame_id = base;
+  message.pose.pose = to_message(odom_T_base);
+  return message;
+}
+
 geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
   constexpr Eigen::Index kSixth[] = {0, 1, 5};  // x, y and the rotation about z of six
   geometry_msgs::PoseWithCovariance message;

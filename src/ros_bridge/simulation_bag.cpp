@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
 
-#include <nav_msgs/Path.h>
-
 #include <stdexcept>
 
 #include "falko_slam/ros_bridge/bag_file.hpp"
@@ -14,16 +12,11 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kPathStep = 0.1;  // of the true path [m]
-
 /// Writes the messages of one step after the other.
 class SimulationBagWriter {
  public:
   SimulationBagWriter(BagFile& bag, const Scenario& scenario, const SimulationBagParams& params)
-      : bag_(bag), messenger_(scenario, params.frames) {
-    const double sweep =
-        scenario.laser.time_increment * static_cast<double>(scenario.laser.beams - 1);
-    sweep_ = from_seconds(sweep);
+      : bag_(bag), messenger_(scenario, params.frames), sweep_(sweep_of(scenario.laser)) {
     path_.header.frame_id = params.frames.world;
     path_.header.stamp = to_ros(params.start);
     bag_.write_latched(topics::kTfStatic, params.start, messenger_.mount(params.start));
@@ -46,7 +39,7 @@ class SimulationBagWriter {
     bag_.write(topics::kJointStates, now, messages.joints);
     bag_.write(topics::kOdometry, now, messages.odometry);
     bag_.write(topics::kGroundTruth, now, messages.truth);
-    extend_path(step.world_T_base, messages.truth);
+    extend_path(path_, messages.truth);
   }
 
   void finish(Time now) {
@@ -55,19 +48,10 @@ class SimulationBagWriter {
   }
 
  private:
-  void extend_path(const Pose2& world_T_base, const geometry_msgs::PoseStamped& truth) {
-    const bool far = path_.poses.empty() ||
-                     (world_T_base.translation() - last_on_path_.translation()).norm() >= kPathStep;
-    if (!far) return;
-    path_.poses.push_back(truth);
-    last_on_path_ = world_T_base;
-  }
-
   BagFile& bag_;
   SimulationMessenger messenger_;
-  Duration sweep_{};
+  Duration sweep_;
   nav_msgs::Path path_;
-  Pose2 last_on_path_;
 };
 
 // Who leads the vehicle; a vehicle that nobody leads stands for as long as is asked for.

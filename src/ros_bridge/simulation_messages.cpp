@@ -11,13 +11,6 @@
 namespace falko_slam {
 namespace {
 
-std_msgs::Header header_of(Time stamp, const std::string& frame) {
-  std_msgs::Header header;
-  header.stamp = to_ros(stamp);
-  header.frame_id = frame;
-  return header;
-}
-
 Reflector to_message(const ReflectorDetection& found, std::size_t number, double diameter) {
   Reflector message;
   message.position.x = found.range * std::cos(found.bearing);
@@ -60,12 +53,10 @@ ReflectorArray SimulationMessenger::reflectors_of(const SimulationStep::Scan& sc
 
 void SimulationMessenger::add_odometry(const SimulationStep& step, SimulationMessages& messages) {
   odometry_.add(step.encoders);
-  nav_msgs::Odometry& message = messages.odometry;
-  message.header = header_of(step.encoders.stamp, frames_.odom);
-  message.child_frame_id = frames_.base;
-  message.pose.pose = falko_slam::to_message(odometry_.odom_T_base());
-  message.twist.twist.linear.x = odometry_.velocity().forward;
-  message.twist.twist.angular.z = odometry_.velocity().turn_rate;
+  messages.odometry =
+      odometry_message(odometry_.odom_T_base(), step.encoders.stamp, frames_.odom, frames_.base);
+  messages.odometry.twist.twist.linear.x = odometry_.velocity().forward;
+  messages.odometry.twist.twist.angular.z = odometry_.velocity().turn_rate;
   messages.odom_T_base =
       to_transform(odometry_.odom_T_base(), step.encoders.stamp, frames_.odom, frames_.base);
 }
@@ -79,11 +70,20 @@ SimulationMessages SimulationMessenger::of(const SimulationStep& step) {
   messages.encoders = falko_slam::to_message(step.encoders, frames_.base);
   messages.joints = joints_.next(step.encoders);
   add_odometry(step, messages);
-  messages.truth.header = header_of(step.encoders.stamp, frames_.world);
-  messages.truth.pose = falko_slam::to_message(step.world_T_base);
+  messages.truth = stamped_pose(step.world_T_base, step.encoders.stamp, frames_.world);
   messages.world_T_odom = to_transform(step.world_T_base * odometry_.odom_T_base().inverse(),
                                        step.encoders.stamp, frames_.world, frames_.odom);
   return messages;
+}
+
+void extend_path(nav_msgs::Path& path, const geometry_msgs::PoseStamped& pose) {
+  constexpr double kStep = 0.1;  // [m]
+  if (!path.poses.empty()) {
+    const geometry_msgs::Point& last = path.poses.back().pose.position;
+    const geometry_msgs::Point& here = pose.pose.position;
+    if (std::hypot(here.x - last.x, here.y - last.y) < kStep) return;
+  }
+  path.poses.push_back(pose);
 }
 
 }  // namespace falko_slam

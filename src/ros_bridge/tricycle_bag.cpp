@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/ros_bridge/tricycle_bag.hpp"
 
-#include <geometry_msgs/PoseStamped.h>
-#include <nav_msgs/Odometry.h>
-
 #include <sstream>
 #include <stdexcept>
 
@@ -30,8 +27,10 @@ class TricycleBagWriter {
     if (!mount_written_) write_mount(stamp);
     bag_.write(topics::kTf, stamp,
                to_transform(record.odom_T_base, stamp, params_.odom_frame, params_.base_frame));
-    write_odometry(record.odom_T_base, stamp);
-    write_ground_truth(record.start_T_laser, stamp);
+    bag_.write(topics::kOdometry, stamp,
+               odometry_message(record.odom_T_base, stamp, params_.odom_frame, params_.base_frame));
+    bag_.write(topics::kGroundTruth, stamp,
+               stamped_pose(record.start_T_laser, stamp, params_.tracker_frame));
     bag_.write(topics::kJointStates, stamp, joints_.next(record.encoders));
     bag_.write(topics::kEncoders, stamp, to_message(record.encoders, params_.base_frame));
   }
@@ -41,23 +40,6 @@ class TricycleBagWriter {
     bag_.write_latched(topics::kTfStatic, stamp,
                        to_transform(base_T_laser_, stamp, params_.base_frame, params_.laser_frame));
     mount_written_ = true;
-  }
-
-  void write_odometry(const Pose2& odom_T_base, Time stamp) {
-    nav_msgs::Odometry message;
-    message.header.stamp = to_ros(stamp);
-    message.header.frame_id = params_.odom_frame;
-    message.child_frame_id = params_.base_frame;
-    message.pose.pose = to_message(odom_T_base);
-    bag_.write(topics::kOdometry, stamp, message);
-  }
-
-  void write_ground_truth(const Pose2& start_T_laser, Time stamp) {
-    geometry_msgs::PoseStamped message;
-    message.header.stamp = to_ros(stamp);
-    message.header.frame_id = params_.tracker_frame;
-    message.pose = to_message(start_T_laser);
-    bag_.write(topics::kGroundTruth, stamp, message);
   }
 
   BagFile& bag_;

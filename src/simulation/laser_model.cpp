@@ -52,6 +52,10 @@ void validate(const LaserModel& laser) {
   require_in_range("stated_range_max", laser.stated_range_max, laser.stated_range_min, kFar);
 }
 
+Duration sweep_of(const LaserModel& laser) {
+  return from_seconds(static_cast<double>(laser.beams - 1) * laser.time_increment);
+}
+
 LaserModel s300() {
   LaserModel laser;
   laser.beams = 541;

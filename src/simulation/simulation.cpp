@@ -41,7 +41,7 @@ SimulationStep Simulation::step(const DriveInput& input) {
   std::visit([&](const auto& motion) { vehicle_.drive(period_, motion); }, input);
   SimulationStep result = state();
   const LaserModel& laser = scenario_.laser;
-  const Duration sweep = from_seconds(static_cast<double>(laser.beams - 1) * laser.time_increment);
+  const Duration sweep = sweep_of(laser);
   for (; scan_begin() + sweep <= vehicle_.time(); ++scans_) {
     SimulationStep::Scan scan;
     scan.world_T_base = vehicle_.track().at(scan_begin());

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <std_msgs/Header.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <string>
@@ -15,6 +18,15 @@
 namespace falko_slam {
 
 geometry_msgs::Pose to_message(const Pose2& pose);
+
+std_msgs::Header header_of(Time stamp, const std::string& frame);
+
+geometry_msgs::PoseStamped stamped_pose(const Pose2& frame_T_pose, Time stamp,
+                                        const std::string& frame);
+
+/// Without velocity and covariances.
+nav_msgs::Odometry odometry_message(const Pose2& odom_T_base, Time stamp, const std::string& odom,
+                                    const std::string& base);
 
 /// The covariances of z, roll and pitch are 0.
 geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate);

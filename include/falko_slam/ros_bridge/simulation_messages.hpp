@@ -6,6 +6,7 @@
 #include <falko_slam/TricycleEncoders.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_msgs/TFMessage.h>
@@ -61,5 +62,8 @@ class SimulationMessenger {
   TricycleOdometry odometry_;
   JointStateSource joints_;
 };
+
+/// Adds a pose that is at least 0.1 m from the path's last one.
+void extend_path(nav_msgs::Path& path, const geometry_msgs::PoseStamped& pose);
 
 }  // namespace falko_slam

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "falko_slam/common/time.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -40,6 +41,9 @@ struct LaserModel {
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const LaserModel& laser);
+
+/// From the first beam of a scan to its last one.
+Duration sweep_of(const LaserModel& laser);
 
 /// A safety scanner like the S300: 270 degrees at half a degree, 30 m, no intensities.
 LaserModel s300();
