@@ -15,10 +15,8 @@ namespace {
 
 constexpr std::uint32_t kScanQueue = 20;
 constexpr std::uint32_t kOutputQueue = 100;
-constexpr double kWarningPeriod = 5.0;   // [s]
-constexpr double kTimerPeriod = 1.0;     // of diagnostics and markers [s]
-constexpr double kAftermath = 10.0;      // of a jump of time [s]
-constexpr double kClockTolerance = 1.0;  // time may step back by this [s]
+constexpr double kWarningPeriod = 5.0;  // [s]
+constexpr double kTimerPeriod = 1.0;    // of diagnostics and markers [s]
 
 double steady_now() { return ros::SteadyTime::now().toSec(); }
 
@@ -30,7 +28,6 @@ LoopClosureNodelet::~LoopClosureNodelet() {
   for (ros::ServiceServer* service : {&locate_, &save_, &load_}) service->shutdown();
   timer_.stop();
   scans_.unsubscribe();
-  listener_.reset();  // its thread calls the filter
   filter_.reset();
 }
 
@@ -85,36 +82,30 @@ void LoopClosureNodelet::start_publishing() {
     const std::lock_guard<std::mutex> lock(mutex_);
     diagnostics_->report(status, steady_now());
   });
-  // On the wall clock: silence must be told of even when simulated time stands still.
-  timer_ = node.createWallTimer(ros::WallDuration(kTimerPeriod),
-                                [this](const ros::WallTimerEvent&) { on_timer(); });
 }
 
 void LoopClosureNodelet::start_listening() {
-  using Filter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
   ros::NodeHandle& node = getNodeHandle();
-  buffer_.setUsingDedicatedThread(true);
-  listener_ = std::make_unique<tf2_ros::TransformListener>(buffer_);
-  poses_ = std::make_unique<LaserPoses>(buffer_, params_.odom_frame, params_.base_frame);
-  filter_ = std::make_unique<Filter>(buffer_, "", kScanQueue, node);
-  filter_->setTargetFrames(poses_->frames());
-  filter_->registerCallback(boost::function<void(const sensor_msgs::LaserScanConstPtr&)>(
-      [this](const auto& message) { on_scan(message); }));
-  filter_->registerFailureCallback(
-      [this](const sensor_msgs::LaserScanConstPtr& message, auto) { on_dropped(message); });
+  filter_ = std::make_unique<ScanFilter>(
+      node, params_.odom_frame, params_.base_frame, kScanQueue,
+      ScanFilter::Listener{
+          [this](const auto& message) { on_scan(message); },
+          [this](const auto& /*message*/, const std::string& missing) { on_dropped(missing); }});
   scans_.registerCallback(
       boost::function<void(const sensor_msgs::LaserScanConstPtr&)>([this](const auto& message) {
         on_received(message);
         filter_->add(message);
       }));
   scans_.subscribe(node, topics::kScan, kScanQueue);
+  // On the wall clock: silence must be told of even when simulated time stands still.
+  timer_ = node.createWallTimer(ros::WallDuration(kTimerPeriod),
+                                [this](const ros::WallTimerEvent&) { on_timer(); });
 }
 
 void LoopClosureNodelet::on_timer() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     watch_time();
-    forget_the_future();
     const std::uint32_t subscribers = markers_.getNumSubscribers();
     if (subscribers > 0 && (markers_changed_ || subscribers != marker_subscribers_)) {
       markers_.publish(loop_markers_->markers(ros::Time::now()));
@@ -126,21 +117,10 @@ void LoopClosureNodelet::on_timer() {
 }
 
 void LoopClosureNodelet::watch_time() {
-  const ros::Time now = ros::Time::now();
-  const double back = last_time_.toSec() - now.toSec();
-  last_time_ = now;
-  if (back <= kClockTolerance) return;
-  jumped_ = steady_now();
+  const double back = filter_->watch_time();
+  if (back <= 0.0) return;
   begin_drive("time has jumped back by " + std::to_string(back) + " s");
   selector_.reset();
-  // What waits for transforms of the time before would wait until that time comes again.
-  if (filter_) filter_->clear();
-}
-
-void LoopClosureNodelet::forget_the_future() {
-  if (!poses_ || steady_now() - jumped_ > kAftermath) return;
-  const auto newest = poses_->newest(last_scan_ ? last_scan_->header.frame_id : "");
-  if (newest && *newest > ros::Time::now() + ros::Duration(kClockTolerance)) buffer_.clear();
 }
 
 void LoopClosureNodelet::begin_drive(const std::string& reason) {
@@ -172,19 +152,8 @@ void LoopClosureNodelet::on_received(const sensor_msgs::LaserScanConstPtr& messa
   last_scan_ = message;
 }
 
-void LoopClosureNodelet::on_dropped(const sensor_msgs::LaserScanConstPtr& message) {
+void LoopClosureNodelet::on_dropped(const std::string& missing) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::string laser = tf_frame(message->header.frame_id);
-  std::string missing = laser.empty() ? "it names no frame" : "";
-  for (const std::string& frame : poses_->frames()) {
-    std::string reason;
-    if (!missing.empty() || buffer_.canTransform(frame, laser, message->header.stamp, &reason)) {
-      continue;
-    }
-    missing = "no transform from " + laser + " to " + frame + " at its stamp: " + reason;
-  }
-  if (missing.empty()) missing = "the transform came too late";
-  forget_the_future();
   diagnostics_->dropped(missing);
   NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "scan dropped, " << missing << "; "
                                                                 << diagnostics_->dropped_scans()
@@ -197,8 +166,8 @@ void LoopClosureNodelet::on_scan(const sensor_msgs::LaserScanConstPtr& message) 
   KeyframeRecord record;
   LaserPlace place;
   try {
-    place = poses_->mount(message->header.frame_id);
-    record.odom_T_laser = poses_->at(message->header.frame_id, message->header.stamp);
+    place = filter_->poses().mount(message->header.frame_id);
+    record.odom_T_laser = filter_->poses().at(message->header.frame_id, message->header.stamp);
   } catch (const tf2::TransformException& error) {
     diagnostics_->dropped(error.what());
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "scan dropped: " << error.what());

@@ -11,18 +11,16 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
-#include <tf2_ros/message_filter.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <mutex>
 #include <string>
 
 #include "falko_slam/place_recognition/keyframe_memory.hpp"
-#include "falko_slam/ros_bridge/laser_pose.hpp"
 #include "falko_slam/ros_bridge/loop_diagnostics.hpp"
 #include "falko_slam/ros_bridge/loop_markers.hpp"
 #include "loop_closure_parameters.hpp"
+#include "scan_filter.hpp"
 
 namespace falko_slam {
 
@@ -50,7 +48,7 @@ class LoopClosureNodelet : public nodelet::Nodelet {
 
   void on_received(const sensor_msgs::LaserScanConstPtr& message);
   void on_scan(const sensor_msgs::LaserScanConstPtr& message);
-  void on_dropped(const sensor_msgs::LaserScanConstPtr& message);
+  void on_dropped(const std::string& missing);
   void on_timer();
   bool on_locate(GlobalLocalization::Request& request, GlobalLocalization::Response& response);
   bool on_save(SaveKeyframes::Request& request, SaveKeyframes::Response& response);
@@ -58,9 +56,6 @@ class LoopClosureNodelet : public nodelet::Nodelet {
 
   /// Begins a drive if time has jumped back since the last call.
   void watch_time();
-  /// For some seconds after a jump of time: tf that was on its way comes after the buffer has been
-  /// cleared, and makes it refuse all that follows as too old.
-  void forget_the_future();
   void begin_drive(const std::string& reason);
   /// With the scan's parameters for a laser that hangs so.
   ScanReport normalized(const sensor_msgs::LaserScan& message, const LaserPlace& place,
@@ -80,14 +75,9 @@ class LoopClosureNodelet : public nodelet::Nodelet {
   std::uint32_t marker_subscribers_ = 0;
   std::unique_ptr<LoopDiagnostics> diagnostics_;
   sensor_msgs::LaserScanConstPtr last_scan_;
-  ros::Time last_time_;
-  double jumped_ = -1e9;  // when time did, steady clock [s]
 
-  tf2_ros::Buffer buffer_{ros::Duration(120.0)};  // recordings are played fast
-  std::unique_ptr<tf2_ros::TransformListener> listener_;
-  std::unique_ptr<LaserPoses> poses_;
+  std::unique_ptr<ScanFilter> filter_;
   message_filters::Subscriber<sensor_msgs::LaserScan> scans_;
-  std::unique_ptr<tf2_ros::MessageFilter<sensor_msgs::LaserScan>> filter_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::Publisher keyframes_, constraints_, markers_;
   ros::CallbackQueue service_queue_;

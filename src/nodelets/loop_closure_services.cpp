@@ -45,7 +45,7 @@ void LoopClosureNodelet::locate(const sensor_msgs::LaserScan& message, std::size
   response.header.frame_id = params_.odom_frame;
   LaserPlace place;
   try {
-    place = poses_->mount(message.header.frame_id);
+    place = filter_->poses().mount(message.header.frame_id);
   } catch (const tf2::TransformException& error) {
     response.message = std::string("the laser's mount is not known: ") + error.what();
     return;

@@ -14,60 +14,25 @@ namespace {
 // Of scans that wait for transforms: the more, the later it is told that these are missing.
 constexpr std::uint32_t kWaiting = 20;
 constexpr std::uint32_t kScanQueue = 100;
-constexpr double kAftermath = 10.0;      // of a jump of time [s]
-constexpr double kClockTolerance = 1.0;  // time may step back by this [s]
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 
 ScanInput::ScanInput(const ros::NodeHandle& node, const ScanInputParams& params, Listener listener)
     : params_(params),
       listener_(std::move(listener)),
-      poses_(buffer_, params.odom_frame, params.base_frame) {
-  connect(node);
-}
-
-ScanInput::~ScanInput() {
-  // Nothing may come in while members go.
-  scans_.unsubscribe();
-  tf_.reset();  // its thread calls the filter
-  filter_.reset();
-}
-
-void ScanInput::connect(ros::NodeHandle node) {
-  using Filter = tf2_ros::MessageFilter<sensor_msgs::LaserScan>;
-  using Callback = boost::function<void(const Message&)>;
-  buffer_.setUsingDedicatedThread(true);
-  tf_ = std::make_unique<tf2_ros::TransformListener>(buffer_);
-  if (params_.use_odometry) {
-    filter_ = std::make_unique<Filter>(buffer_, "", kWaiting, node);
-    filter_->setTargetFrames(poses_.frames());
-    filter_->registerCallback(Callback([this](const Message& message) { on_placed(message); }));
-    filter_->registerFailureCallback(
-        [this](const Message& message, auto /*reason*/) { on_dropped(message); });
-  }
-  scans_.registerCallback(Callback([this](const Message& message) { on_received(message); }));
-  scans_.subscribe(node, topics::kScan, kScanQueue);
+      filter_(
+          node, params.odom_frame, params.base_frame, kWaiting,
+          {[this](const Message& message) { on_placed(message); },
+           [this](const Message&, const std::string& missing) { listener_.dropped(missing); }}) {
+  scans_.registerCallback(boost::function<void(const Message&)>(
+      [this](const Message& message) { on_received(message); }));
+  ros::NodeHandle of_scans(node);
+  scans_.subscribe(of_scans, topics::kScan, kScanQueue);
 }
 
 void ScanInput::watch_time() {
-  const ros::Time now = ros::Time::now();
-  const double back = last_time_.toSec() - now.toSec();
-  last_time_ = now;
-  if (back > kClockTolerance) {
-    jumped_ = steady_now();
-    // What waits for transforms of the time before would wait until that time comes again.
-    if (filter_) filter_->clear();
-    listener_.time_has_jumped(back);
-  }
-  forget_the_future();
-}
-
-void ScanInput::forget_the_future() {
-  if (!params_.use_odometry || steady_now() - jumped_ > kAftermath) return;
-  const auto newest = poses_.newest(last_frame_);
-  if (newest && *newest > ros::Time::now() + ros::Duration(kClockTolerance)) buffer_.clear();
+  const double back = filter_.watch_time();
+  if (back > 0.0) listener_.time_has_jumped(back);
 }
 
 void ScanInput::on_received(const Message& message) {
@@ -76,32 +41,17 @@ void ScanInput::on_received(const Message& message) {
   const ScanReport report = normalize(as_raw_scan(*message), params_.scan, scan);
   listener_.received(report);
   if (!report.usable()) return;
-  last_frame_ = message->header.frame_id;
-  if (filter_) {
-    filter_->add(message);
+  if (params_.use_odometry) {
+    filter_.add(message);
   } else {
     on_placed(message);
   }
 }
 
-void ScanInput::on_dropped(const Message& message) {
-  const std::string laser = tf_frame(message->header.frame_id);
-  std::string missing = laser.empty() ? "it names no frame" : "";
-  for (const std::string& frame : poses_.frames()) {
-    std::string reason;
-    if (!missing.empty() || buffer_.canTransform(frame, laser, message->header.stamp, &reason)) {
-      continue;
-    }
-    missing = "no transform from " + laser + " to " + frame + " at its stamp: " + reason;
-  }
-  forget_the_future();
-  listener_.dropped(missing.empty() ? "the transform came too late" : missing);
-}
-
 const LaserPlace& ScanInput::mount_of(const std::string& frame) {
   const auto known = mounts_.find(frame);
   if (known != mounts_.end()) return known->second;
-  return mounts_[frame] = poses_.mount(frame);
+  return mounts_[frame] = filter_.poses().mount(frame);
 }
 
 SlamScan ScanInput::placed(const sensor_msgs::LaserScan& message) {
@@ -111,7 +61,8 @@ SlamScan ScanInput::placed(const sensor_msgs::LaserScan& message) {
   result.stamp = from_ros(message.header.stamp);
   result.base_T_laser = place.base_T_laser;
   if (params_.use_odometry) {
-    result.odom_T_base = poses_.at(frame, message.header.stamp) * place.base_T_laser.inverse();
+    result.odom_T_base =
+        filter_.poses().at(frame, message.header.stamp) * place.base_T_laser.inverse();
   }
   ScanNormalizerParams params = params_.scan;
   params.upside_down = place.upside_down.value_or(params.upside_down);
