@@ -65,10 +65,10 @@ CalibrationDriver::CalibrationDriver(const CalibrationPlan& plan,
   arcs_ = arcs_of(plan);
 }
 
-void CalibrationDriver::add(const EncoderReading& reading) {
+std::int32_t CalibrationDriver::add(const EncoderReading& reading) {
   const double before = odometry_.odom_T_base().theta();
   const OdometryStep step = odometry_.add(reading);
-  if (step.verdict == OdometryVerdict::kNotLater) return;
+  if (step.verdict == OdometryVerdict::kNotLater) return 0;
   last_reading_ = reading.stamp;
   steering_ = steering_of(params_.encoders, reading.steer_ticks);
   last_ticks_ = step.ticks;
@@ -76,6 +76,7 @@ void CalibrationDriver::add(const EncoderReading& reading) {
   if (stage_ == CalibrationStage::kDriving || stage_ == CalibrationStage::kHalting) {
     turned_ += angle_between(before, odometry_.odom_T_base().theta());
   }
+  return step.ticks;
 }
 
 void CalibrationDriver::add_scan(Time stamp, std::size_t reflectors) {

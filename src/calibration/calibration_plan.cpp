@@ -35,14 +35,16 @@ std::vector<PlannedArc> arcs_of(const CalibrationPlan& plan) {
 }
 
 PlannedWay way_of(const CalibrationPlan& plan, const TricycleParams& tricycle) {
-  constexpr int kPieces = 32;
+  constexpr int kPieces = 36;
   PlannedWay way;
   Pose2 here;
+  way.poses.push_back(here);
   for (const PlannedArc& arc : arcs_of(plan)) {
     const double length = plan.turn * tricycle.wheelbase / std::abs(std::sin(arc.steering));
     const double ticks = std::copysign(length / tricycle.driving_scale, arc.wheel_speed);
     for (int i = 0; i < kPieces; ++i) {
       here = here * drive_arc(tricycle, ticks / kPieces, arc.steering);
+      way.poses.push_back(here);
       way.greatest_distance = std::max(way.greatest_distance, here.translation().norm());
     }
     way.ends.push_back(here);

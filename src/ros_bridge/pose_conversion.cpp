@@ -17,6 +17,14 @@ geometry_msgs::Pose to_message(const Pose2& pose) {
   return message;
 }
 
+geometry_msgs::Pose2D pose2d(double x, double y, double theta) {
+  geometry_msgs::Pose2D pose;
+  pose.x = x;
+  pose.y = y;
+  pose.theta = theta;
+  return pose;
+}
+
 std_msgs::Header header_of(Time stamp, const std::string& frame) {
   std_msgs::Header header;
   header.stamp = to_ros(stamp);

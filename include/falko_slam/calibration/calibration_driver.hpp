@@ -48,7 +48,8 @@ class CalibrationDriver {
   /// would leave the area.
   CalibrationDriver(const CalibrationPlan& plan, const CalibrationDriverParams& params);
 
-  void add(const EncoderReading& reading);
+  /// Ticks of the wheel since the reading before.
+  std::int32_t add(const EncoderReading& reading);
   void add_scan(Time stamp, std::size_t reflectors);
 
   /// The command for the period that begins now.

@@ -36,10 +36,11 @@ struct PlannedArc {
 /// backward right.
 std::vector<PlannedArc> arcs_of(const CalibrationPlan& plan);
 
-/// Where an ideal vehicle would go, for a first check of the area: base_link seen from the start
-/// after each arc, and the greatest distance on the way [m].
+/// Where an ideal vehicle would go, for a first check of the area and for pictures: base_link seen
+/// from the start, and the greatest distance on the way [m].
 struct PlannedWay {
-  std::vector<Pose2> ends;
+  std::vector<Pose2> poses;  ///< about every 5 degrees of an arc, from the start on
+  std::vector<Pose2> ends;   ///< after each arc
   double greatest_distance = 0.0;
   double seconds = 0.0;  ///< driving and resting; without acceleration and steering
 };

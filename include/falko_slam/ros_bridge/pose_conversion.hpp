@@ -3,6 +3,7 @@
 #pragma once
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Pose2D.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <geometry_msgs/TransformStamped.h>
@@ -18,6 +19,9 @@
 namespace falko_slam {
 
 geometry_msgs::Pose to_message(const Pose2& pose);
+
+/// [m], [m], [rad]; the angle may have whole turns.
+geometry_msgs::Pose2D pose2d(double x, double y, double theta);
 
 std_msgs::Header header_of(Time stamp, const std::string& frame);
 

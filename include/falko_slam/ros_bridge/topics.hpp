@@ -30,6 +30,10 @@ constexpr char kMapMetadata[] = "map_metadata";    ///< nav_msgs/MapMetaData, la
 constexpr char kPath[] = "path";                   ///< nav_msgs/Path, latched
 constexpr char kGraphMarkers[] = "graph_markers";  ///< visualization_msgs/MarkerArray
 
+constexpr char kCalibrationMarkers[] = "calibration_markers";  ///< MarkerArray, latched
+
+constexpr char kCalibrate[] = "calibrate";  ///< action, falko_slam/Calibrate
+
 // Services, in the node's private namespace.
 constexpr char kGlobalLocalization[] = "global_localization";  ///< falko_slam/GlobalLocalization
 constexpr char kSaveKeyframes[] = "save_keyframes";            ///< falko_slam/SaveKeyframes
@@ -39,6 +43,7 @@ constexpr char kSaveMap[] = "save_map";                        ///< falko_slam/S
 constexpr char kSaveState[] = "save_state";                    ///< falko_slam/SaveState
 constexpr char kLoadState[] = "load_state";                    ///< falko_slam/LoadState
 constexpr char kPause[] = "pause";                             ///< std_srvs/SetBool
+constexpr char kComputeCalibration[] = "compute_calibration";  ///< falko_slam/ComputeCalibration
 constexpr char kReset[] = "reset";                             ///< std_srvs/Trigger
 
 }  // namespace topics

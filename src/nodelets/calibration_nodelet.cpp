@@ -1,0 +1,153 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How the Calibration nodelet starts and ends, and what it hears.
+#include "calibration_nodelet.hpp"
+
+#include <falko_slam/DriveCommand.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <pluginlib/class_list_macros.hpp>
+
+#include "falko_slam/ros_bridge/encoder_conversion.hpp"
+#include "falko_slam/ros_bridge/parameter_reader.hpp"
+#include "falko_slam/ros_bridge/reflector_conversion.hpp"
+#include "falko_slam/ros_bridge/topics.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr std::uint32_t kQueue = 100;
+constexpr double kWarningPeriod = 5.0;  // [s]
+
+}  // namespace
+
+CalibrationNodelet::~CalibrationNodelet() {
+  if (thread_) thread_->stop();
+  if (session_ && ros::ok()) {
+    session_->abort("the node ends");
+    send(session_->next(now_));
+    CalibrateResult result;
+    result.message = session_->driver().reason();
+    server_->setAborted(result, result.message);
+  }
+  control_timer_.stop();
+  diagnostics_timer_.stop();
+  encoders_.shutdown();
+  reflectors_.shutdown();
+  compute_.shutdown();
+  transforms_.reset();
+}
+
+void CalibrationNodelet::onInit() {
+  // All that may throw comes first.
+  load_parameters();
+  start_listening();
+  start_serving();
+  thread_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
+  thread_->start();
+}
+
+void CalibrationNodelet::load_parameters() {
+  const ros::NodeHandle& node = getPrivateNodeHandle();
+  std::vector<std::string> unknown;
+  try {
+    params_ = read_calibration_node_params(parameter_tree(node), node.getNamespace(), unknown);
+  } catch (const std::invalid_argument& error) {
+    NODELET_FATAL_STREAM("bad parameter: " << error.what());
+    throw;
+  }
+  for (const std::string& name : unknown) {
+    NODELET_WARN_STREAM("parameter " << name << " is not known and has no effect");
+  }
+}
+
+void CalibrationNodelet::start_listening() {
+  ros::NodeHandle node(getNodeHandle());
+  node.setCallbackQueue(&queue_);
+  transforms_ = std::make_unique<tf2_ros::TransformListener>(buffer_, node, false);
+  if (params_.encoder_source == EncoderSource::kTicks) {
+    encoders_ = node.subscribe(topics::kEncoders, kQueue, &CalibrationNodelet::on_encoders, this);
+  } else {
+    encoders_ = node.subscribe(topics::kJointStates, kQueue, &CalibrationNodelet::on_joints, this);
+  }
+  reflectors_ =
+      node.subscribe(topics::kReflectors, kQueue, &CalibrationNodelet::on_reflectors, this);
+}
+
+void CalibrationNodelet::start_serving() {
+  ros::NodeHandle node(getNodeHandle()), private_node(getPrivateNodeHandle());
+  node.setCallbackQueue(&queue_);
+  private_node.setCallbackQueue(&queue_);
+  commands_ = node.advertise<DriveCommand>(topics::kDriveCommand, kQueue);
+  marker_publisher_ =
+      node.advertise<visualization_msgs::MarkerArray>(topics::kCalibrationMarkers, 1, true);
+  server_ = std::make_unique<Server>(node, topics::kCalibrate, false);
+  server_->registerGoalCallback([this] { on_goal(); });
+  server_->registerPreemptCallback([this] { on_preempt(); });
+  server_->start();
+  compute_ = private_node.advertiseService(topics::kComputeCalibration,
+                                           &CalibrationNodelet::on_compute, this);
+  control_timer_ = node.createTimer(ros::Duration(params_.control_period),
+                                    [this](const ros::TimerEvent&) { on_control(); });
+  updater_ = std::make_unique<diagnostic_updater::Updater>(node, private_node, getName());
+  updater_->setHardwareID("none");
+  updater_->add("calibration",
+                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+  diagnostics_timer_ = node.createWallTimer(
+      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
+}
+
+void CalibrationNodelet::on_encoders(const TricycleEncoders& message) {
+  on_reading(from_message(message));
+}
+
+void CalibrationNodelet::on_joints(const sensor_msgs::JointState& message) {
+  JointParams joints;
+  joints.encoders = params_.session.driver.encoders;
+  joints.drive_ticks_per_turn = static_cast<std::uint32_t>(params_.drive_ticks_per_turn);
+  if (const auto reading = from_message(message, joints)) return on_reading(*reading);
+  NODELET_WARN_STREAM_THROTTLE(
+      kWarningPeriod, "joint state without positions of " << kDriveJoint << " and " << kSteerJoint);
+}
+
+void CalibrationNodelet::on_reading(const EncoderReading& reading) {
+  ++readings_;
+  if (!session_) return;
+  session_->add(reading);
+  markers_->add_pose(reading.stamp, session_->driver().start_T_base());
+}
+
+void CalibrationNodelet::on_reflectors(const ReflectorArray& message) {
+  ++scans_;
+  if (!session_) return;
+  const ReflectorObservation observation = from_message(message);
+  session_->add(observation);
+  markers_->set_reflectors(observation);
+}
+
+void CalibrationNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  const bool deaf = readings_ == 0 || scans_ == 0;
+  const std::string silent = readings_ == 0 ? encoders_.getTopic()
+                             : scans_ == 0  ? reflectors_.getTopic()
+                                            : "";
+  if (deaf) {
+    status.summary(DiagnosticStatus::WARN, "nothing on " + silent);
+  } else {
+    status.summary(DiagnosticStatus::OK, session_ ? "calibrating" : last_result_);
+  }
+  if (session_) {
+    const CalibrationProgress progress = session_->driver().progress();
+    status.add("stage", name_of(progress.stage));
+    status.add("phase", name_of(progress.phase));
+    status.addf("arc", "%zu of %zu", progress.arc + 1, progress.arcs);
+  }
+  status.add("encoder readings per second", readings_);
+  status.add("scans per second", scans_);
+  readings_ = scans_ = 0;
+}
+
+}  // namespace falko_slam
+
+PLUGINLIB_EXPORT_CLASS(falko_slam::CalibrationNodelet, nodelet::Nodelet)

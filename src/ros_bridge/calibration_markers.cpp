@@ -1,0 +1,136 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/calibration_markers.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "falko_slam/geometry/angles.hpp"
+
+namespace falko_slam {
+namespace {
+
+using visualization_msgs::Marker;
+
+constexpr double kStep = 0.1;  // between points of what has been driven [m]
+
+geometry_msgs::Point point_at(const Eigen::Vector2d& position) {
+  geometry_msgs::Point point;
+  point.x = position.x();
+  point.y = position.y();
+  return point;
+}
+
+Marker marker_of(const char* name, std::int32_t type, double scale, float red, float green,
+                 float blue) {
+  Marker marker;
+  marker.ns = name;
+  marker.type = type;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = scale;
+  marker.scale.z = type == Marker::CYLINDER || type == Marker::SPHERE_LIST ? scale : 0.0;
+  marker.color.r = red;
+  marker.color.g = green;
+  marker.color.b = blue;
+  marker.color.a = 1.0F;
+  return marker;
+}
+
+// Head and shaft of an arrow, as line segments.
+void add_arrow(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Marker& lines) {
+  const Eigen::Vector2d back = 0.2 * (from - to);
+  const Eigen::Vector2d across(-0.5 * back.y(), 0.5 * back.x());
+  for (const Eigen::Vector2d& end :
+       {from, Eigen::Vector2d(to + back + across), Eigen::Vector2d(to + back - across)}) {
+    lines.points.push_back(point_at(end));
+    lines.points.push_back(point_at(to));
+  }
+}
+
+}  // namespace
+
+CalibrationMarkers::CalibrationMarkers(const CalibrationSessionParams& params,
+                                       const Pose2& odom_T_start)
+    : odom_T_start_(odom_T_start), base_T_laser_(params.recorder.base_T_laser) {
+  for (const Pose2& pose : way_of(params.plan, params.driver.tricycle).poses) {
+    planned_.push_back(odom_T_start * pose);
+  }
+}
+
+void CalibrationMarkers::add_pose(Time stamp, const Pose2& start_T_base) {
+  const Pose2 here = odom_T_start_ * start_T_base;
+  const bool far = driven_.empty() ||
+                   (here.translation() - driven_.back().odom_T_base.translation()).norm() > kStep;
+  if (far) driven_.push_back({stamp, here});
+}
+
+Pose2 CalibrationMarkers::place_at(Time stamp) const {
+  const auto after =
+      std::upper_bound(driven_.begin(), driven_.end(), stamp,
+                       [](Time time, const Passed& passed) { return time < passed.stamp; });
+  return after == driven_.begin() ? odom_T_start_ : std::prev(after)->odom_T_base;
+}
+
+void CalibrationMarkers::set_reflectors(const ReflectorObservation& observation) {
+  reflectors_.clear();
+  const Pose2 odom_T_laser = place_at(observation.first_beam) * base_T_laser_;
+  for (const SightedReflector& seen : observation.reflectors) {
+    reflectors_.push_back(odom_T_laser * seen.point);
+  }
+}
+
+std::optional<CalibrationMarkers::Arrow> CalibrationMarkers::arrow_of(const SessionArc& arc) const {
+  if (!arc.residual) return std::nullopt;
+  return Arrow{place_at(arc.recorded.end) * base_T_laser_, arc.residual->head<2>(),
+               arc.recorded.segment.turn, Arrow::Kind::kBelieved};
+}
+
+void CalibrationMarkers::set_arcs(const std::vector<SessionArc>& arcs) {
+  for (std::size_t i = arrows_.size(); i < arcs.size(); ++i) arrows_.push_back(arrow_of(arcs[i]));
+}
+
+void CalibrationMarkers::set_result(const ReflectorCalibration& calibration) {
+  if (!calibration.result.estimate) return;
+  for (std::size_t i = 0; i < calibration.recorded.size(); ++i) {
+    std::optional<Arrow>& arrow = arrows_.at(calibration.recorded[i]);
+    const SegmentReport& report = calibration.result.estimate->segments.at(i);
+    if (!arrow) continue;
+    arrow->residual = report.residual.head<2>();
+    arrow->kind = report.used ? Arrow::Kind::kCalibrated : Arrow::Kind::kLeftOut;
+  }
+}
+
+visualization_msgs::MarkerArray CalibrationMarkers::markers(const std_msgs::Header& header) const {
+  Marker planned = marker_of("planned", Marker::LINE_STRIP, 0.02, 0.6F, 0.6F, 0.6F);
+  for (const Pose2& pose : planned_) planned.points.push_back(point_at(pose.translation()));
+  Marker driven = marker_of("driven", Marker::LINE_STRIP, 0.05, 0.2F, 0.5F, 1.0F);
+  for (const Passed& passed : driven_) {
+    driven.points.push_back(point_at(passed.odom_T_base.translation()));
+  }
+  Marker reflectors = marker_of("reflectors", Marker::SPHERE_LIST, 0.25, 0.8F, 0.2F, 0.9F);
+  for (const Eigen::Vector2d& reflector : reflectors_) {
+    reflectors.points.push_back(point_at(reflector));
+  }
+  Marker kinds[] = {marker_of("residuals", Marker::LINE_LIST, 0.06, 1.0F, 0.6F, 0.1F),
+                    marker_of("residuals", Marker::LINE_LIST, 0.06, 0.1F, 0.8F, 0.2F),
+                    marker_of("residuals", Marker::LINE_LIST, 0.06, 1.0F, 0.1F, 0.1F)};
+  for (const std::optional<Arrow>& arrow : arrows_) {
+    if (!arrow) continue;
+    const Pose2 end = arrow->odom_T_laser;
+    const double heading = end.theta() - arrow->turn;  // of the frame that the residual is in
+    const Eigen::Vector2d offset = Pose2(0.0, 0.0, heading) * arrow->residual;
+    add_arrow(end.translation(), end.translation() + kResidualScale * offset,
+              kinds[static_cast<std::size_t>(arrow->kind)]);
+  }
+  visualization_msgs::MarkerArray array;
+  array.markers = {planned, driven, reflectors, kinds[0], kinds[1], kinds[2]};
+  std::int32_t id = 0;
+  for (Marker& marker : array.markers) {
+    marker.header = header;
+    marker.id = id++;
+    marker.action = marker.points.empty() ? Marker::DELETE : Marker::ADD;
+  }
+  return array;
+}
+
+}  // namespace falko_slam
