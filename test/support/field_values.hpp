@@ -64,6 +64,7 @@ class FieldChanger {
   void field(const char*, unsigned int& value) const { value += 3; }
   void field(const char*, unsigned long& value) const { value += 3; }
   void field(const char*, bool& value) const { value = !value; }
+  void field(const char*, std::string& value) const { value += "_"; }
   template <class Enum>
   void choice(const char*, Enum& value, const EnumNames<Enum>& names) const {
     value = names[0].second == value ? names[1].second : names[0].second;

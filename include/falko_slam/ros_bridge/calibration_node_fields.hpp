@@ -73,8 +73,8 @@ void visit_vehicle_fields(Params& vehicle, Visitor& visitor) {
   visitor.field("steer_gear", vehicle.steer_gear);
 }
 
-template <class Params, class Visitor>
-void visit_calibration_node_fields(Params& params, BelievedVehicle& vehicle, Visitor& visitor) {
+template <class Params, class Vehicle, class Visitor>
+void visit_calibration_node_fields(Params& params, Vehicle& vehicle, Visitor& visitor) {
   visitor.field("folder", params.folder);
   visitor.field("file", params.file);
   visitor.field("accept_weak", params.accept_weak);
@@ -93,7 +93,7 @@ void visit_calibration_node_fields(Params& params, BelievedVehicle& vehicle, Vis
     visit();
     visitor.end();
   };
-  CalibrationSessionParams& session = params.session;
+  auto& session = params.session;
   group("vehicle", [&] { visit_vehicle_fields(vehicle, visitor); });
   group("arcs", [&] { visit_plan_fields(session.plan, visitor); });
   group("driving", [&] { visit_driver_fields(session, visitor); });

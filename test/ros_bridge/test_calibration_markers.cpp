@@ -1,0 +1,91 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/calibration_markers.hpp"
+
+#include <gtest/gtest.h>
+
+namespace falko_slam {
+namespace {
+
+using visualization_msgs::Marker;
+
+Time at(int seconds) { return Time{std::chrono::seconds(seconds)}; }
+
+// A vehicle that has gone 2 m ahead from (10, 5), looking along y; its laser sits 1 m before it.
+class Drawn : public ::testing::Test {
+ protected:
+  Drawn() : markers_(params(), Pose2(10.0, 5.0, M_PI / 2.0)) {
+    markers_.add_pose(at(1), Pose2());
+    markers_.add_pose(at(2), Pose2(2.0, 0.0, 0.0));
+  }
+  static CalibrationSessionParams params() {
+    CalibrationSessionParams params;
+    params.recorder.base_T_laser = Pose2(1.0, 0.0, 0.0);
+    return params;
+  }
+  static std::vector<SessionArc> arcs() {
+    std::vector<SessionArc> arcs(2);
+    arcs[0].recorded.end = at(2);
+    arcs[0].residual = Eigen::Vector3d(0.01, 0.0, 0.0);
+    arcs[1].recorded.complaint = "no reflectors";
+    return arcs;
+  }
+  std::vector<Marker> drawn() const {
+    std_msgs::Header header;
+    header.frame_id = "odom";
+    return markers_.markers(header).markers;
+  }
+
+  CalibrationMarkers markers_;
+};
+
+TEST_F(Drawn, ShowsWhatIsPlannedAndDriven) {
+  const std::vector<Marker> markers = drawn();
+  EXPECT_EQ(markers[0].ns, "planned");
+  EXPECT_EQ(markers[0].header.frame_id, "odom");
+  EXPECT_GT(markers[0].points.size(), 24U * 36U);
+  EXPECT_EQ(markers[0].points.front().x, 10.0);
+  EXPECT_EQ(markers[1].ns, "driven");
+  ASSERT_EQ(markers[1].points.size(), 2U);
+  EXPECT_NEAR(markers[1].points[1].y, 7.0, 1e-12);
+}
+
+TEST_F(Drawn, ShowsReflectorsWhereTheyAre) {
+  ReflectorObservation observation;
+  observation.first_beam = at(3);
+  observation.reflectors = {{{4.0, 1.0}, Duration::zero()}};
+  markers_.set_reflectors(observation);
+  const Marker reflectors = drawn()[2];
+  EXPECT_EQ(reflectors.action, Marker::ADD);
+  ASSERT_EQ(reflectors.points.size(), 1U);
+  EXPECT_NEAR(reflectors.points[0].x, 9.0, 1e-12);
+  EXPECT_NEAR(reflectors.points[0].y, 12.0, 1e-12);
+}
+
+TEST_F(Drawn, ShowsResidualsAHundredTimesAsLongWhereTheArcsEnd) {
+  markers_.set_arcs(arcs());
+  const Marker believed = drawn()[3];
+  ASSERT_EQ(believed.points.size(), 6U);
+  EXPECT_NEAR(believed.points[0].x, 10.0, 1e-12);
+  EXPECT_NEAR(believed.points[0].y, 8.0, 1e-12);
+  EXPECT_NEAR(believed.points[1].y, 9.0, 1e-12);
+  EXPECT_EQ(drawn()[4].action, Marker::DELETE);
+}
+
+TEST_F(Drawn, ShowsWhatTheResultSaysAndWhatWasLeftOut) {
+  markers_.set_arcs(arcs());
+  ReflectorCalibration calibration;
+  calibration.recorded = {0};
+  calibration.result.estimate.emplace();
+  calibration.result.estimate->segments.resize(1);
+  markers_.set_result(calibration);
+  EXPECT_EQ(drawn()[3].action, Marker::DELETE);
+  EXPECT_EQ(drawn()[4].action, Marker::ADD);
+  calibration.result.estimate->segments[0].used = false;
+  markers_.set_result(calibration);
+  EXPECT_EQ(drawn()[4].action, Marker::DELETE);
+  EXPECT_EQ(drawn()[5].action, Marker::ADD);
+}
+
+}  // namespace
+}  // namespace falko_slam
