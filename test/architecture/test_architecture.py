@@ -73,6 +73,17 @@ def test_rooms_include_downward_only():
     assert not wrong
 
 
+# So it compiles alone; test/CMakeLists.txt sees to the headers that have no source of their own.
+def test_a_source_includes_its_own_header_first():
+    wrong = []
+    for path in sources():
+        header = f"falko_slam/{room_of(path)}/{path.stem}.hpp"
+        if path.suffix == ".cpp" and (SOURCE / "include" / header).exists():
+            if includes(path)[0] != header:
+                wrong.append(f"{path.relative_to(SOURCE)} includes {includes(path)[0]} first")
+    assert not wrong
+
+
 def test_the_core_includes_no_ros():
     wrong = [f"{path.relative_to(SOURCE)} includes {include}" for path in sources()
              if room_of(path) not in ROOMS_WITH_ROS
