@@ -3,6 +3,7 @@
 #include "falko_slam/ros_bridge/calibration_markers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "falko_slam/geometry/angles.hpp"
@@ -12,7 +13,14 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kStep = 0.1;  // between points of what has been driven [m]
+// Between points of what has been driven.
+constexpr double kStep = 0.1;   // [m]
+constexpr double kTurn = 0.02;  // [rad]
+
+bool far_from(const Pose2& a, const Pose2& b) {
+  return (a.translation() - b.translation()).norm() > kStep ||
+         std::abs(angle_between(a.theta(), b.theta())) > kTurn;
+}
 
 geometry_msgs::Point point_at(const Eigen::Vector2d& position) {
   geometry_msgs::Point point;
@@ -59,9 +67,15 @@ CalibrationMarkers::CalibrationMarkers(const CalibrationSessionParams& params,
 
 void CalibrationMarkers::add_pose(Time stamp, const Pose2& start_T_base) {
   const Pose2 here = odom_T_start_ * start_T_base;
-  const bool far = driven_.empty() ||
-                   (here.translation() - driven_.back().odom_T_base.translation()).norm() > kStep;
-  if (far) driven_.push_back({stamp, here});
+  // The last one is always the newest; while the vehicle stands, that is when it halted.
+  const bool stands = !driven_.empty() &&
+                      here.translation() == driven_.back().odom_T_base.translation() &&
+                      here.theta() == driven_.back().odom_T_base.theta();
+  if (stands) return;
+  const bool keeps_last =
+      driven_.size() < 2 || far_from(driven_[driven_.size() - 2].odom_T_base, here);
+  if (keeps_last) driven_.emplace_back();
+  driven_.back() = {stamp, here};
 }
 
 Pose2 CalibrationMarkers::place_at(Time stamp) const {
@@ -101,7 +115,7 @@ void CalibrationMarkers::set_result(const ReflectorCalibration& calibration) {
 }
 
 visualization_msgs::MarkerArray CalibrationMarkers::markers(const std_msgs::Header& header) const {
-  Marker planned = marker_of("planned", Marker::LINE_STRIP, 0.02, 0.6F, 0.6F, 0.6F);
+  Marker planned = marker_of("planned", Marker::LINE_STRIP, 0.03, 0.85F, 0.85F, 0.75F);
   for (const Pose2& pose : planned_) planned.points.push_back(point_at(pose.translation()));
   Marker driven = marker_of("driven", Marker::LINE_STRIP, 0.05, 0.2F, 0.5F, 1.0F);
   for (const Passed& passed : driven_) {
@@ -119,7 +133,8 @@ visualization_msgs::MarkerArray CalibrationMarkers::markers(const std_msgs::Head
     const Pose2 end = arrow->odom_T_laser;
     const double heading = end.theta() - arrow->turn;  // of the frame that the residual is in
     const Eigen::Vector2d offset = Pose2(0.0, 0.0, heading) * arrow->residual;
-    add_arrow(end.translation(), end.translation() + kResidualScale * offset,
+    const double scale = arrow->kind == Arrow::Kind::kBelieved ? kBelievedScale : kResidualScale;
+    add_arrow(end.translation(), end.translation() + scale * offset,
               kinds[static_cast<std::size_t>(arrow->kind)]);
   }
   visualization_msgs::MarkerArray array;

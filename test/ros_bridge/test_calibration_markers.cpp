@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace falko_slam {
 namespace {
 
@@ -50,6 +52,13 @@ TEST_F(Drawn, ShowsWhatIsPlannedAndDriven) {
   EXPECT_NEAR(markers[1].points[1].y, 7.0, 1e-12);
 }
 
+TEST_F(Drawn, KnowsTheNewestPoseAndFewOfTheOthers) {
+  for (int i = 1; i <= 1000; ++i) markers_.add_pose(at(2 + i), Pose2(2.0 + 1e-3 * i, 0.0, 0.0));
+  const Marker driven = drawn()[1];
+  EXPECT_NEAR(driven.points.back().y, 8.0, 1e-12);
+  EXPECT_LT(driven.points.size(), 15U);
+}
+
 TEST_F(Drawn, ShowsReflectorsWhereTheyAre) {
   ReflectorObservation observation;
   observation.first_beam = at(3);
@@ -62,13 +71,22 @@ TEST_F(Drawn, ShowsReflectorsWhereTheyAre) {
   EXPECT_NEAR(reflectors.points[0].y, 12.0, 1e-12);
 }
 
-TEST_F(Drawn, ShowsResidualsAHundredTimesAsLongWhereTheArcsEnd) {
+TEST_F(Drawn, KnowsWhereItHalted) {
+  for (int i = 3; i < 10; ++i) markers_.add_pose(at(i), Pose2(2.0, 0.0, 0.015));
+  ReflectorObservation observation;
+  observation.first_beam = at(8);
+  observation.reflectors = {{{9.0, 0.0}, Duration::zero()}};
+  markers_.set_reflectors(observation);
+  EXPECT_NEAR(drawn()[2].points.at(0).x, 10.0 - 10.0 * std::sin(0.015), 1e-12);
+}
+
+TEST_F(Drawn, ShowsResidualsWhereTheArcsEnd) {
   markers_.set_arcs(arcs());
   const Marker believed = drawn()[3];
   ASSERT_EQ(believed.points.size(), 6U);
   EXPECT_NEAR(believed.points[0].x, 10.0, 1e-12);
   EXPECT_NEAR(believed.points[0].y, 8.0, 1e-12);
-  EXPECT_NEAR(believed.points[1].y, 9.0, 1e-12);
+  EXPECT_NEAR(believed.points[1].y, 8.0 + 0.01 * CalibrationMarkers::kBelievedScale, 1e-12);
   EXPECT_EQ(drawn()[4].action, Marker::DELETE);
 }
 
@@ -78,9 +96,12 @@ TEST_F(Drawn, ShowsWhatTheResultSaysAndWhatWasLeftOut) {
   calibration.recorded = {0};
   calibration.result.estimate.emplace();
   calibration.result.estimate->segments.resize(1);
+  calibration.result.estimate->segments[0].residual.x() = 0.002;
   markers_.set_result(calibration);
   EXPECT_EQ(drawn()[3].action, Marker::DELETE);
-  EXPECT_EQ(drawn()[4].action, Marker::ADD);
+  const Marker calibrated = drawn()[4];
+  ASSERT_EQ(calibrated.points.size(), 6U);
+  EXPECT_NEAR(calibrated.points[1].y, 8.0 + 0.002 * CalibrationMarkers::kResidualScale, 1e-12);
   calibration.result.estimate->segments[0].used = false;
   markers_.set_result(calibration);
   EXPECT_EQ(drawn()[4].action, Marker::DELETE);

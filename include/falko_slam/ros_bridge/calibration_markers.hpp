@@ -11,12 +11,13 @@
 
 namespace falko_slam {
 
-/// A calibration for rviz: the arcs to drive ("planned", grey) and driven ("driven", blue), the
+/// A calibration for rviz: the arcs to drive ("planned", pale) and driven ("driven", blue), the
 /// reflectors of the last scan ("reflectors", violet), and where an arc has ended, what it is off
-/// by, kResidualScale times as long ("residuals": orange by what was believed before, green by the
-/// new calibration, red if it was left out).
+/// by ("residuals"): by what was believed before (orange, kBelievedScale times as long), and by the
+/// new calibration (green, or red if it was left out; kResidualScale times as long).
 class CalibrationMarkers {
  public:
+  static constexpr double kBelievedScale = 3.0;
   static constexpr double kResidualScale = 100.0;
 
   /// The vehicle stands at `odom_T_start` when it begins.
