@@ -9,7 +9,6 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
-#include "falko_slam/ros_bridge/encoder_conversion.hpp"
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/reflector_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
@@ -18,7 +17,6 @@ namespace falko_slam {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;
-constexpr double kWarningPeriod = 5.0;  // [s]
 
 }  // namespace
 
@@ -33,7 +31,7 @@ CalibrationNodelet::~CalibrationNodelet() {
   }
   control_timer_.stop();
   diagnostics_timer_.stop();
-  encoders_.shutdown();
+  encoders_.reset();
   reflectors_.shutdown();
   compute_.shutdown();
   transforms_.reset();
@@ -66,11 +64,8 @@ void CalibrationNodelet::start_listening() {
   ros::NodeHandle node(getNodeHandle());
   node.setCallbackQueue(&queue_);
   transforms_ = std::make_unique<tf2_ros::TransformListener>(buffer_, node, false);
-  if (params_.encoder_source == EncoderSource::kTicks) {
-    encoders_ = node.subscribe(topics::kEncoders, kQueue, &CalibrationNodelet::on_encoders, this);
-  } else {
-    encoders_ = node.subscribe(topics::kJointStates, kQueue, &CalibrationNodelet::on_joints, this);
-  }
+  encoders_ = std::make_unique<EncoderInput>(
+      node, params_.vehicle, [this](const EncoderReading& reading) { on_reading(reading); });
   reflectors_ =
       node.subscribe(topics::kReflectors, kQueue, &CalibrationNodelet::on_reflectors, this);
 }
@@ -98,19 +93,6 @@ void CalibrationNodelet::start_serving() {
       ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
 }
 
-void CalibrationNodelet::on_encoders(const TricycleEncoders& message) {
-  on_reading(from_message(message));
-}
-
-void CalibrationNodelet::on_joints(const sensor_msgs::JointState& message) {
-  JointParams joints;
-  joints.encoders = params_.session.driver.encoders;
-  joints.drive_ticks_per_turn = static_cast<std::uint32_t>(params_.drive_ticks_per_turn);
-  if (const auto reading = from_message(message, joints)) return on_reading(*reading);
-  NODELET_WARN_STREAM_THROTTLE(
-      kWarningPeriod, "joint state without positions of " << kDriveJoint << " and " << kSteerJoint);
-}
-
 void CalibrationNodelet::on_reading(const EncoderReading& reading) {
   ++readings_;
   if (!session_) return;
@@ -129,7 +111,7 @@ void CalibrationNodelet::on_reflectors(const ReflectorArray& message) {
 void CalibrationNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   const bool deaf = readings_ == 0 || scans_ == 0;
-  const std::string silent = readings_ == 0 ? encoders_.getTopic()
+  const std::string silent = readings_ == 0 ? encoders_->topic()
                              : scans_ == 0  ? reflectors_.getTopic()
                                             : "";
   if (deaf) {

@@ -7,17 +7,16 @@
 #include <falko_slam/CalibrateAction.h>
 #include <falko_slam/ComputeCalibration.h>
 #include <falko_slam/ReflectorArray.h>
-#include <falko_slam/TricycleEncoders.h>
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <sensor_msgs/JointState.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "encoder_input.hpp"
 #include "falko_slam/calibration/calibration_file.hpp"
 #include "falko_slam/ros_bridge/calibration_conversion.hpp"
 #include "falko_slam/ros_bridge/calibration_markers.hpp"
@@ -47,8 +46,6 @@ class CalibrationNodelet : public nodelet::Nodelet {
   void start_listening();
   void start_serving();
 
-  void on_encoders(const TricycleEncoders& message);
-  void on_joints(const sensor_msgs::JointState& message);
   void on_reading(const EncoderReading& reading);
   void on_reflectors(const ReflectorArray& message);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -96,7 +93,8 @@ class CalibrationNodelet : public nodelet::Nodelet {
   std::unique_ptr<tf2_ros::TransformListener> transforms_;
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::Publisher commands_, marker_publisher_;
-  ros::Subscriber encoders_, reflectors_;
+  std::unique_ptr<EncoderInput> encoders_;
+  ros::Subscriber reflectors_;
   ros::ServiceServer compute_;
   ros::Timer control_timer_;
   ros::WallTimer diagnostics_timer_;

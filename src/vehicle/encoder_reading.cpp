@@ -25,7 +25,7 @@ void validate(const EncoderParams& params) {
   constexpr std::uint32_t kMost = 1U << 30U;
   require_in_range("steer_ticks_per_turn", params.steer_ticks_per_turn, 4U, kMost);
   require_in_range("steer_zero", params.steer_zero, 0U, params.steer_ticks_per_turn - 1);
-  require_in_range("steer_gain", params.steer_gain, 1e-4, 1.0);
+  require_in_range("steer_gain", params.steer_gain, 1e-4, 2.0);
 }
 
 std::int32_t ticks_between(std::uint32_t earlier, std::uint32_t later) {

@@ -50,13 +50,13 @@ OdometryVerdict TricycleOdometry::judge(const OdometryStep& step) const {
   return jump ? OdometryVerdict::kJump : OdometryVerdict::kIntegrated;
 }
 
-void TricycleOdometry::integrate(const EncoderReading& reading, const OdometryStep& step) {
+void TricycleOdometry::integrate(const EncoderReading& reading, OdometryStep& step) {
   const double turned = steering_between(encoders_, last_->steer_ticks, reading.steer_ticks);
-  const double steering = steering_of(encoders_, last_->steer_ticks) + 0.5 * turned;
-  odom_T_base_ = odom_T_base_ * drive_arc(tricycle_, step.ticks, steering);
+  step.steering = steering_of(encoders_, last_->steer_ticks) + 0.5 * turned;
+  odom_T_base_ = odom_T_base_ * drive_arc(tricycle_, step.ticks, step.steering);
 
   const double wheel_speed = tricycle_.driving_scale * step.ticks / to_seconds(step.time);
-  const double direction = true_steering(tricycle_, steering, step.ticks);
+  const double direction = true_steering(tricycle_, step.steering, step.ticks);
   velocity_.forward = wheel_speed * std::cos(direction);
   velocity_.turn_rate = wheel_speed * std::sin(direction) / tricycle_.wheelbase;
 }

@@ -30,10 +30,9 @@ void expect_refused(const XmlRpc::XmlRpcValue& tree, const std::string& words) {
   }
 }
 
-std::map<std::string, std::string> values_of(const CalibrationNodeParams& params,
-                                             const BelievedVehicle& vehicle) {
+std::map<std::string, std::string> values_of(const CalibrationNodeParams& params) {
   test::FieldValues values;
-  visit_calibration_node_fields(params, vehicle, values);
+  visit_calibration_node_fields(params, values);
   return values.values();
 }
 
@@ -41,23 +40,22 @@ TEST(ShippedCalibrationYaml, HoldsTheDefaultsOfEveryField) {
   const XmlRpc::XmlRpcValue tree =
       read_parameter_file(FALKO_SLAM_SOURCE_DIR "/config/calibration.yaml");
   CalibrationNodeParams params;
-  BelievedVehicle vehicle;
   ParameterReader reader(tree, "~");
-  visit_calibration_node_fields(params, vehicle, reader);
+  visit_calibration_node_fields(params, reader);
 
   EXPECT_TRUE(reader.unknown().empty());
-  EXPECT_EQ(values_of(params, vehicle), values_of(CalibrationNodeParams(), BelievedVehicle()));
+  EXPECT_EQ(values_of(params), values_of(CalibrationNodeParams()));
   test::FieldChanger changer;  // whatever the file leaves out would stay changed
-  visit_calibration_node_fields(params, vehicle, changer);
+  visit_calibration_node_fields(params, changer);
   ParameterReader again(tree, "~");
-  visit_calibration_node_fields(params, vehicle, again);
-  EXPECT_EQ(values_of(params, vehicle), values_of(CalibrationNodeParams(), BelievedVehicle()));
+  visit_calibration_node_fields(params, again);
+  EXPECT_EQ(values_of(params), values_of(CalibrationNodeParams()));
 }
 
 TEST(CalibrationNodeParams, AreReadByTheirNames) {
   XmlRpc::XmlRpcValue tree;
   tree["model"] = "standard";
-  tree["encoder_source"] = "joint_states";
+  tree["vehicle"]["encoder_source"] = "joint_states";
   tree["vehicle"]["wheelbase"] = 1.5;
   tree["vehicle"]["laser_y"] = 0.25;
   tree["vehicle"]["steer_ticks_per_turn"] = 4096;
@@ -67,7 +65,7 @@ TEST(CalibrationNodeParams, AreReadByTheirNames) {
   const CalibrationNodeParams params = read(tree, &unknown);
 
   EXPECT_EQ(params.session.calibrator.model, TricycleModel::kStandard);
-  EXPECT_EQ(params.encoder_source, EncoderSource::kJoints);
+  EXPECT_EQ(params.vehicle.encoder_source, EncoderSource::kJoints);
   EXPECT_EQ(params.session.driver.tricycle.wheelbase, 1.5);
   EXPECT_EQ(params.session.recorder.tricycle.wheelbase, 1.5);
   EXPECT_EQ(params.session.calibrator.wheelbase, 1.5);
@@ -90,7 +88,7 @@ TEST(CalibrationNodeParams, BeginWithAnEarlierCalibration) {
   write_calibration(folder.path() + "/earlier.yaml", earlier);
   XmlRpc::XmlRpcValue tree;
   tree["folder"] = folder.path();
-  tree["start"] = "earlier.yaml";
+  tree["vehicle"]["calibration_file"] = "earlier.yaml";
   tree["vehicle"]["wheelbase"] = 1.5;  // counts less
   const CalibrationSessionParams session = read(tree).session;
 
@@ -115,7 +113,7 @@ TEST(CalibrationNodeParams, AreRefusedByName) {
   tree["arcs"]["max_steering"] = 0.2;
   expect_refused(tree, "max_steering");
   tree = XmlRpc::XmlRpcValue();
-  tree["start"] = "/missing/calibration.yaml";
+  tree["vehicle"]["calibration_file"] = "/missing/calibration.yaml";
   expect_refused(tree, "/missing/calibration.yaml");
   tree = XmlRpc::XmlRpcValue();
   tree["odom_frame"] = "";

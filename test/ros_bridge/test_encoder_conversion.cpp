@@ -129,7 +129,7 @@ TEST(EncoderConversion, RefusesParametersByName) {
   params.drive_ticks_per_turn = 0;
   EXPECT_THROW(JointStateSource joints(params), std::invalid_argument);
   params = joint_params();
-  params.encoders.steer_gain = 2.0;
+  params.encoders.steer_gain = 2.5;
   EXPECT_THROW(JointStateSource joints(params), std::invalid_argument);
 }
 

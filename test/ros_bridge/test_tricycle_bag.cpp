@@ -143,8 +143,8 @@ TEST_F(ConvertTricycleLog, LeavesNothingBehindWhereThereIsNothingToConvert) {
   EXPECT_EQ(error_of(test::tricycle_header()).find(log + ": nothing to convert in 8 lines"), 0U);
   EXPECT_EQ(error_of("no log\n").find(log + ": no tricycle log: its header has no"), 0U);
   std::string geared_up = test::small_tricycle_log();
-  geared_up.replace(geared_up.find("0.1 1.0"), 3, "1.5");
-  EXPECT_EQ(error_of(geared_up).find(log + ": its header: steer_gain = 1.5:"), 0U);
+  geared_up.replace(geared_up.find("0.1 1.0"), 3, "2.5");
+  EXPECT_EQ(error_of(geared_up).find(log + ": its header: steer_gain = 2.5:"), 0U);
   EXPECT_EQ(folder_.names(), (std::set<std::string>{"test.log"}));
 }
 

@@ -141,7 +141,7 @@ TEST(EncoderParameters, AreRefusedWithTheirNames) {
   EXPECT_EQ(error_of(params_of(8192, 8192)).find("steer_zero = 8192:"), 0U);
   EXPECT_EQ(error_of(params_of(8192, 0, 0.0)).find("steer_gain = 0:"), 0U);
   EXPECT_EQ(error_of(params_of(8192, 0, -0.1)).find("steer_gain = -0.1:"), 0U);
-  EXPECT_EQ(error_of(params_of(8192, 0, 1.5)).find("steer_gain = 1.5:"), 0U);
+  EXPECT_EQ(error_of(params_of(8192, 0, 2.5)).find("steer_gain = 2.5:"), 0U);
   EXPECT_EQ(error_of(params_of(8192, 0, std::nan(""))).find("steer_gain = nan:"), 0U);
 }
 

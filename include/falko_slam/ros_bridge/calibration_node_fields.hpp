@@ -50,37 +50,11 @@ void visit_noise_fields(Params& noise, Visitor& visitor) {
   visitor.field("unknown_factor", noise.unknown_factor);
 }
 
-/// What the vehicle is believed to be, as it stands in the parameters.
-struct BelievedVehicle {
-  VehicleCalibration calibration;
-  int steer_ticks_per_turn = 65536, steer_zero = 0;
-  double steer_gear = 1.0;  ///< steer_gain of EncoderParams
-  double laser_x = 0.0, laser_y = 0.0, laser_theta = 0.0;
-};
-
 template <class Params, class Visitor>
-void visit_vehicle_fields(Params& vehicle, Visitor& visitor) {
-  visitor.field("wheelbase", vehicle.calibration.tricycle.wheelbase);
-  visitor.field("driving_scale", vehicle.calibration.tricycle.driving_scale);
-  visitor.field("steer_offset_forward", vehicle.calibration.tricycle.steer_offset_forward);
-  visitor.field("steer_offset_backward", vehicle.calibration.tricycle.steer_offset_backward);
-  visitor.field("steer_gain", vehicle.calibration.steer_gain);
-  visitor.field("laser_x", vehicle.laser_x);
-  visitor.field("laser_y", vehicle.laser_y);
-  visitor.field("laser_theta", vehicle.laser_theta);
-  visitor.field("steer_ticks_per_turn", vehicle.steer_ticks_per_turn);
-  visitor.field("steer_zero", vehicle.steer_zero);
-  visitor.field("steer_gear", vehicle.steer_gear);
-}
-
-template <class Params, class Vehicle, class Visitor>
-void visit_calibration_node_fields(Params& params, Vehicle& vehicle, Visitor& visitor) {
+void visit_calibration_node_fields(Params& params, Visitor& visitor) {
   visitor.field("folder", params.folder);
   visitor.field("file", params.file);
   visitor.field("accept_weak", params.accept_weak);
-  visitor.field("start", params.start);
-  visitor.choice("encoder_source", params.encoder_source, encoder_source_names());
-  visitor.field("drive_ticks_per_turn", params.drive_ticks_per_turn);
   visitor.field("control_period", params.control_period);
   visitor.field("feedback_period", params.feedback_period);
   visitor.field("odom_frame", params.odom_frame);
@@ -94,7 +68,7 @@ void visit_calibration_node_fields(Params& params, Vehicle& vehicle, Visitor& vi
     visitor.end();
   };
   auto& session = params.session;
-  group("vehicle", [&] { visit_vehicle_fields(vehicle, visitor); });
+  group("vehicle", [&] { visit_vehicle_fields(params.vehicle, visitor); });
   group("arcs", [&] { visit_plan_fields(session.plan, visitor); });
   group("driving", [&] { visit_driver_fields(session, visitor); });
   group("segments", [&] { visit_segment_fields(session.recorder, visitor); });

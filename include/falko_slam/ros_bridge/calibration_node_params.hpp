@@ -9,6 +9,7 @@
 
 #include "falko_slam/calibration/calibration_session.hpp"
 #include "falko_slam/common/enum_names.hpp"
+#include "falko_slam/ros_bridge/vehicle_params.hpp"
 
 namespace falko_slam {
 
@@ -16,32 +17,24 @@ const EnumNames<TricycleModel>& tricycle_model_names();
 /// Throws std::invalid_argument that lists the names.
 TricycleModel tricycle_model_of(const std::string& name);
 
-/// Which messages the encoders come in.
-enum class EncoderSource {
-  kTicks,   ///< falko_slam/TricycleEncoders on `encoders`
-  kJoints,  ///< sensor_msgs/JointState on `joint_states`
-};
-const EnumNames<EncoderSource>& encoder_source_names();
-
 /// Parameters of the Calibration node, config/calibration.yaml.
 struct CalibrationNodeParams {
   CalibrationSessionParams session;
-  EncoderSource encoder_source = EncoderSource::kTicks;
-  int drive_ticks_per_turn = 5000;  ///< for EncoderSource::kJoints
+  VehicleParams vehicle;
   double control_period = 0.05;     ///< [s]
   double feedback_period = 0.5;     ///< [s]
   std::string odom_frame = "odom";  ///< markers are drawn there
   std::string base_frame = "base_link";
   std::string folder;                     ///< for files
   std::string file = "calibration.yaml";  ///< of the result; empty: none is written
-  std::string start;                      ///< file of what is believed; it counts before the rest
   bool accept_weak = false;               ///< write what is WEAK, too
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const CalibrationNodeParams& params);
 
 /// `name` stands before the names in messages; `unknown` gets the names that no field has. Reads
-/// the file `start`, too. Throws std::invalid_argument with the parameter's full name.
+/// the vehicle's calibration, too: the session begins with what it says. Throws
+/// std::invalid_argument with the parameter's full name.
 CalibrationNodeParams read_calibration_node_params(const XmlRpc::XmlRpcValue& tree,
                                                    const std::string& name,
                                                    std::vector<std::string>& unknown);

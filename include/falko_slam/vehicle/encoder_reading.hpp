@@ -20,7 +20,7 @@ struct EncoderParams {
   std::uint32_t steer_ticks_per_turn = 65536;
   std::uint32_t steer_zero = 0;  ///< reading of a wheel that looks straight ahead
   /// Turn of the wheel per turn of the encoder, less than 1 behind a gear; then the encoder tells
-  /// apart no more than this share of a turn of the wheel. (0, 1]
+  /// apart no more than this share of a turn of the wheel. (0, 2]
   double steer_gain = 1.0;
 };
 /// Throws std::invalid_argument with the field and its value.

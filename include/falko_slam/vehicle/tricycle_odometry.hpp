@@ -36,6 +36,7 @@ struct OdometryStep {
   OdometryVerdict verdict = OdometryVerdict::kFirst;
   std::int32_t ticks = 0;  ///< of the driven wheel since the reading before, 0 for the first
   Duration time{};         ///< since the reading before, 0 for the first
+  double steering = 0.0;   ///< as measured, mean of both readings; only if integrated [rad]
 };
 
 /// Sums up the arcs between the readings of a tricycle's encoders to the pose of base_link in odom.
@@ -63,7 +64,7 @@ class TricycleOdometry {
 
  private:
   OdometryVerdict judge(const OdometryStep& step) const;
-  void integrate(const EncoderReading& reading, const OdometryStep& step);
+  void integrate(const EncoderReading& reading, OdometryStep& step);
 
   TricycleParams tricycle_;
   EncoderParams encoders_;

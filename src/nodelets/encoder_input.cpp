@@ -1,0 +1,33 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "encoder_input.hpp"
+
+#include "falko_slam/ros_bridge/encoder_conversion.hpp"
+#include "falko_slam/ros_bridge/topics.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr std::uint32_t kQueue = 1000;  // counters are sums, but arcs are better short
+constexpr double kWarningPeriod = 5.0;  // [s]
+
+}  // namespace
+
+EncoderInput::EncoderInput(ros::NodeHandle node, const VehicleParams& vehicle,
+                           std::function<void(const EncoderReading&)> received) {
+  if (vehicle.encoder_source == EncoderSource::kTicks) {
+    subscriber_ = node.subscribe<TricycleEncoders>(
+        topics::kEncoders, kQueue,
+        [received](const TricycleEncodersConstPtr& message) { received(from_message(*message)); });
+    return;
+  }
+  subscriber_ = node.subscribe<sensor_msgs::JointState>(
+      topics::kJointStates, kQueue,
+      [received, joints = joints_of(vehicle)](const sensor_msgs::JointStateConstPtr& message) {
+        if (const auto reading = from_message(*message, joints)) return received(*reading);
+        ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "joint state without usable positions of "
+                                                     << kDriveJoint << " and " << kSteerJoint);
+      });
+}
+
+}  // namespace falko_slam

@@ -1,0 +1,80 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/odometry_node_params.hpp"
+
+#include <gtest/gtest.h>
+
+#include "falko_slam/ros_bridge/parameter_reader.hpp"
+#include "falko_slam/ros_bridge/yaml_parameters.hpp"
+#include "support/field_values.hpp"
+
+namespace falko_slam {
+namespace {
+
+std::map<std::string, std::string> values_of(const OdometryNodeParams& params) {
+  test::FieldValues values;
+  visit_odometry_node_fields(params, values);
+  return values.values();
+}
+
+void expect_refused(const XmlRpc::XmlRpcValue& tree, const std::string& words) {
+  std::vector<std::string> unknown;
+  try {
+    read_odometry_node_params(tree, "/odometry", unknown);
+    ADD_FAILURE() << words;
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("/odometry"), std::string::npos) << text;
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  }
+}
+
+TEST(ShippedOdometryYaml, HoldsTheDefaultsOfEveryField) {
+  const XmlRpc::XmlRpcValue tree =
+      read_parameter_file(FALKO_SLAM_SOURCE_DIR "/config/tricycle_odometry.yaml");
+  OdometryNodeParams params;
+  test::FieldChanger changer;  // whatever the file leaves out would stay changed
+  visit_odometry_node_fields(params, changer);
+  ParameterReader reader(tree, "~");
+  visit_odometry_node_fields(params, reader);
+
+  EXPECT_TRUE(reader.unknown().empty());
+  EXPECT_EQ(values_of(params), values_of(OdometryNodeParams()));
+}
+
+TEST(OdometryNodeParams, GiveWhatTheVehicleIs) {
+  XmlRpc::XmlRpcValue tree;
+  tree["vehicle"]["wheelbase"] = 1.2;
+  tree["vehicle"]["steer_gear"] = 0.1;
+  tree["vehicle"]["steer_gain"] = 5.0;
+  tree["vehicle"]["laser_x"] = 1.8;
+  tree["odom_frame"] = "/odom";
+  std::vector<std::string> unknown;
+  const OdometryNodeParams params = read_odometry_node_params(tree, "/odometry", unknown);
+
+  EXPECT_EQ(params.calibration.tricycle.wheelbase, 1.2);
+  EXPECT_EQ(params.calibration.base_T_laser.x(), 1.8);
+  EXPECT_EQ(params.encoders.steer_gain, 0.5);
+  EXPECT_EQ(params.odom_frame, "odom");
+}
+
+TEST(OdometryNodeParams, AreRefusedByName) {
+  XmlRpc::XmlRpcValue tree;
+  tree["vehicle"]["drive_ticks_per_turn"] = 0;
+  expect_refused(tree, "drive_ticks_per_turn = 0");
+  tree = XmlRpc::XmlRpcValue();
+  tree["vehicle"]["steer_zero"] = -1;
+  expect_refused(tree, "steer_zero = -1");
+  tree = XmlRpc::XmlRpcValue();
+  tree["noise"]["slip"] = -1.0;
+  expect_refused(tree, "slip = -1");
+  tree = XmlRpc::XmlRpcValue();
+  tree["vehicle"]["steer_gain"] = 3.0;
+  expect_refused(tree, "steer_gain = 3");
+  tree = XmlRpc::XmlRpcValue();
+  tree["base_frame"] = "";
+  expect_refused(tree, "frames must have names");
+}
+
+}  // namespace
+}  // namespace falko_slam
