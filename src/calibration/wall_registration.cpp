@@ -177,7 +177,11 @@ class Fit {
     found.covariance = both.inverse();
     found.lasting_covariance = found.covariance - (without / worse + prior_).inverse();
     found.agreeing_length = agreeing_;
-    found.contradicting_length = contradicting_;
+    // What the target has seen through is told by the pieces of the source, and the other way
+    // round.
+    found.contradicting_length = contradicting_ + pair_walls(source_, target_, pose_.inverse(),
+                                                             {params_.last_gate, params_.max_angle})
+                                                      .contradicting_length;
     found.parts = parts_.size();
     double squares = 0.0, weight = 0.0;
     for (const auto& [number, part] : parts_) squares += part.squares, weight += part.weight;

@@ -7,7 +7,7 @@
 
 #include "falko_slam/calibration/path_segment.hpp"
 #include "falko_slam/calibration/reflector_motion.hpp"
-#include "falko_slam/calibration/scan_motion_estimator.hpp"
+#include "falko_slam/calibration/scan_motion.hpp"
 #include "falko_slam/common/time.hpp"
 
 namespace falko_slam {
