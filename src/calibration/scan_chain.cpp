@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_chain.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
 namespace falko_slam {
 namespace {
@@ -26,7 +23,7 @@ Eigen::Matrix3d moved_to(const Pose2& target_T_source, const Eigen::Matrix3d& ta
 
 bool determined(const WallRegistration& link, const ScanMotionParams& params) {
   return link.agreement() >= params.min_agreement &&
-         greatest_deviation(link.covariance) <= params.max_deviation;
+         link.deviation_without_a_part <= params.max_deviation;
 }
 
 ChainEnd longer_by(const ChainEnd& chain, const WallKey& from, const WallRegistration& link,
@@ -56,12 +53,6 @@ ChainEnd closed(const ChainEnd& chain, const WallKey& first, const WallKey& last
 }
 
 }  // namespace
-
-double greatest_deviation(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-      Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
-  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
-}
 
 std::optional<WallRegistration> link(const WallKey& from, const WallKey& to,
                                      const ScanMotionParams& params) {

@@ -25,9 +25,6 @@ struct ChainEnd {
   std::size_t links = 0;
 };
 
-/// Standard deviation of a position in its worst direction [m].
-double greatest_deviation(const Eigen::Matrix3d& covariance);
-
 /// Of one scan's walls with the other's, from where tracking puts them, which counts for nothing
 /// beside walls. Empty where fewer than `min_parts` are seen alike.
 std::optional<WallRegistration> link(const WallKey& from, const WallKey& to,

@@ -43,17 +43,18 @@ LaserMotion turned_more(const LaserMotion& sweep, double factor) {
   return {Pose2::exp({way.x(), factor * way.y(), factor * way.z()}), sweep.duration};
 }
 
-std::string deviations_of(const Eigen::Matrix3d& covariance) {
+std::string open_by(double deviation, double turn_deviation) {
   return "the walls leave the motion open: its standard deviations are " +
-         std::to_string(greatest_deviation(covariance)) + " m and " +
-         std::to_string(std::sqrt(covariance(2, 2))) + " rad";
+         std::to_string(deviation) + " m and " + std::to_string(turn_deviation) + " rad";
 }
 
 // Why there is no way to the end.
 std::string missing(const WallKey& start, const WallKey& end, const ScanMotionParams& params) {
   const auto direct = link(start, end, params);
   if (!direct) return "the straight walls seen at both ends, and on the way, are too few";
-  if (direct->agreement() >= params.min_agreement) return deviations_of(direct->covariance);
+  if (direct->agreement() >= params.min_agreement) {
+    return open_by(direct->deviation_without_a_part, std::sqrt(direct->covariance(2, 2)));
+  }
   return "only " + std::to_string(std::lround(100.0 * direct->agreement())) +
          " % of the walls seen at both ends agree";
 }
@@ -190,10 +191,10 @@ std::optional<ScanMotion> ScanMotionEstimator::result() {
   walls.push_back({walls_of(mean), start_T_laser_, Eigen::Matrix3d::Zero()});
   const auto best = best_chain(walls, params_);
   if (!best) return refuse(missing(walls.front(), walls.back(), params_));
-  const Eigen::Matrix3d& covariance = best->start_T_laser.covariance;
-  if (greatest_deviation(covariance) > params_.max_deviation ||
-      std::sqrt(covariance(2, 2)) > params_.max_turn_deviation) {
-    return refuse(deviations_of(covariance));
+  const double deviation = greatest_deviation(best->start_T_laser.covariance);
+  const double turn_deviation = std::sqrt(best->start_T_laser.covariance(2, 2));
+  if (deviation > params_.max_deviation || turn_deviation > params_.max_turn_deviation) {
+    return refuse(open_by(deviation, turn_deviation));
   }
   ScanMotion motion;
   motion.start_T_end = best->start_T_laser;

@@ -38,8 +38,10 @@ Sight compare(const WallScan& target, const WallScan& source, const WallPiece& p
   if (!beam || target.range(*beam) <= 0.0) return Sight::kUnknown;
   const double beyond = target.range(*beam) - middle.norm();
   const double slant = std::max(0.05, -normal.dot(middle) / middle.norm());
-  if (beyond < -gate.distance / slant) return Sight::kUnknown;  // hidden
-  if (beyond > gate.distance / slant) return Sight::kContradicts;
+  // The beam may look past the middle by a beam.
+  const double tolerance = (gate.distance + middle.norm() * target.angle_increment()) / slant;
+  if (beyond < -tolerance) return Sight::kUnknown;  // hidden
+  if (beyond > tolerance) return Sight::kContradicts;
   const auto wall = target.wall_at(*beam);
   if (!wall) return Sight::kUnknown;
   const StraightWall& target_wall = target.walls()[*wall];

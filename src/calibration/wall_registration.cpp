@@ -176,6 +176,13 @@ class Fit {
     if (!both.isInvertible()) return std::nullopt;
     found.covariance = both.inverse();
     found.lasting_covariance = found.covariance - (without / worse + prior_).inverse();
+    for (const auto& [number, part] : parts_) {
+      Parts others = parts_;
+      others.erase(number);
+      const Eigen::Matrix3d rest = honest(equations_of(others, lasting_variance_)) / worse + prior_;
+      found.deviation_without_a_part =
+          std::max(found.deviation_without_a_part, greatest_deviation(rest.inverse()));
+    }
     found.agreeing_length = agreeing_;
     // What the target has seen through is told by the pieces of the source, and the other way
     // round.
@@ -202,6 +209,12 @@ class Fit {
 };
 
 }  // namespace
+
+double greatest_deviation(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
+  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+}
 
 void validate(const WallRegistrationParams& params) {
   require_in_range("first_gate", params.first_gate, 1e-3, 10.0);

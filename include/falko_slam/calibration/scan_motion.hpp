@@ -25,8 +25,8 @@ struct ScanMotionParams {
   double key_turn = 0.4;
   std::size_t min_parts = 5;   ///< of walls, in what two scans see alike, [3, 1000]
   double min_agreement = 0.6;  ///< share of the walls in view of both that agree, [0, 1]
-  /// A pose whose standard deviation is greater in any direction is not determined [m], [rad].
-  /// [1e-6, 10], [1e-6, 1]
+  /// A pose whose standard deviation is greater in any direction is not determined, nor is one
+  /// where it would be without a single part of a wall [m], [rad]. [1e-6, 10], [1e-6, 1]
   double max_deviation = 0.03;
   double max_turn_deviation = 0.005;
 };

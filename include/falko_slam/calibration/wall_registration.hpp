@@ -22,6 +22,9 @@ struct WallRegistrationParams {
 /// Throws std::invalid_argument with the field and its value.
 void validate(const WallRegistrationParams& params);
 
+/// Standard deviation of a pose's position in its worst direction [m].
+double greatest_deviation(const Eigen::Matrix3d& covariance);
+
 /// Where a scan was taken, seen from where another one was.
 struct WallRegistration {
   Pose2 target_T_source;
@@ -30,6 +33,9 @@ struct WallRegistration {
   /// Covariance with the prior, and what of it is due to lasting noise.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d lasting_covariance = Eigen::Matrix3d::Zero();
+  /// Standard deviation of the position in its worst direction without the part of a wall that is
+  /// needed most [m]: what hangs on a single part may be a mistaken one.
+  double deviation_without_a_part = 0.0;
   double agreeing_length = 0.0;       ///< of wall that both see alike [m]
   double contradicting_length = 0.0;  ///< of wall that is elsewhere, or seen through [m]
   std::size_t parts = 0;              ///< of walls that are paired

@@ -59,6 +59,7 @@ class WallScan {
   /// The beam that looks into a direction [rad], counted as in StraightWall.
   std::optional<std::size_t> beam_at(double bearing) const;
   std::optional<std::size_t> wall_at(std::size_t beam) const;
+  double angle_increment() const { return angle_increment_; }     ///< [rad]
   double range(std::size_t beam) const { return ranges_[beam]; }  ///< 0: not valid [m]
   /// Of the beams from first to last: their mean, with its variance across their wall.
   WallPiece piece(std::size_t wall, std::size_t first, std::size_t last) const;
