@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "falko_slam/common/validation.hpp"
 #include "falko_slam/geometry/angles.hpp"
@@ -143,6 +144,7 @@ class Fit {
 
   bool drop_worst() {
     constexpr double kSignificant = 15.1;  // chi2 of one degree of freedom, 99.99 %
+    constexpr double kMedian = 0.455;      // of the same
     constexpr std::size_t kLeastParts = 4;
     if (parts_.size() <= kLeastParts) return false;
     const auto worst =
@@ -150,10 +152,18 @@ class Fit {
           return a.second.chi2_of_mean(lasting_variance_) <
                  b.second.chi2_of_mean(lasting_variance_);
         });
-    const double spread = std::max(1.0, chi2_per_freedom());
-    if (worst->second.chi2_of_mean(lasting_variance_) < kSignificant * spread) return false;
+    const double usual = std::max(1.0, median_chi2() / kMedian);
+    if (worst->second.chi2_of_mean(lasting_variance_) < kSignificant * usual) return false;
     dropped_.insert(worst->first);
     return true;
+  }
+
+  double median_chi2() const {
+    std::vector<double> chi2;
+    for (const auto& [number, part] : parts_) chi2.push_back(part.chi2_of_mean(lasting_variance_));
+    const auto middle = chi2.begin() + static_cast<std::ptrdiff_t>(chi2.size() / 2);
+    std::nth_element(chi2.begin(), middle, chi2.end());
+    return *middle;
   }
 
   double chi2_per_freedom() const {

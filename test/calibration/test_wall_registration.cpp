@@ -98,9 +98,9 @@ TEST(WallRegistration, SaysThatACorridorIsOpen) {
 TEST(WallRegistration, LeavesOutWhatHasMoved) {
   auto random = test::seeded_random();
   Scene moved = test::walled_hall();
-  for (std::size_t i = 4; i < 8; ++i) {  // the sides of a box
-    moved.walls[i].from.x() += 0.03;
-    moved.walls[i].to.x() += 0.03;
+  for (std::size_t i = 4; i < 16; ++i) {  // the sides of three boxes
+    moved.walls[i].from += Eigen::Vector2d(0.04, -0.03);
+    moved.walls[i].to += Eigen::Vector2d(0.04, -0.03);
   }
   const auto found = register_walls(walls_of(test::walled_hall(), kWorldTTarget, 0.005, random),
                                     walls_of(moved, kWorldTTarget * kTargetTSource, 0.005, random),

@@ -45,7 +45,7 @@ struct StraightWall {
   double residual_variance = 0.0;                     ///< of a beam's distance to it [m^2]
 };
 
-/// What is straight in a scan: the split of \cite duda1973 on each connected surface.
+/// What is straight in a scan: each connected surface, split as in \cite douglas1973.
 class WallScan {
  public:
   WallScan() = default;
