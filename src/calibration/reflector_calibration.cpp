@@ -30,29 +30,50 @@ void add_lasting_noise(const std::vector<ReflectorMotion>& motions, double noise
   calibration.common_turn = std::max(calibration.common_turn, std::sqrt(turn));
 }
 
+// The same of walls: what of each covariance does not average out.
+void add_lasting_noise(const std::vector<ScanMotion>& motions, CalibrationNoise& calibration) {
+  double position = 0.0, turn = 0.0;  // mean variances
+  for (const ScanMotion& motion : motions) {
+    const Eigen::Matrix3d& lasting = motion.lasting_covariance;
+    position += 0.5 * (lasting(0, 0) + lasting(1, 1)) / static_cast<double>(motions.size());
+    turn += lasting(2, 2) / static_cast<double>(motions.size());
+  }
+  calibration.common_position = std::max(calibration.common_position, std::sqrt(position));
+  calibration.common_turn = std::max(calibration.common_turn, std::sqrt(turn));
+}
+
 }  // namespace
 
 ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
                                         const CalibratorParams& params, double lasting_noise) {
   ReflectorCalibration calibration;
   std::vector<ReflectorMotion> motions;
+  std::vector<ScanMotion> scan_motions;
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     if (!recorded[i].complaint.empty()) continue;
     calibration.recorded.push_back(i);
-    motions.push_back(recorded[i].motion);
+    if (recorded[i].egomotion == EgomotionSource::kScans) {
+      scan_motions.push_back(recorded[i].scan_motion);
+    } else {
+      motions.push_back(recorded[i].motion);
+    }
   }
   calibration.range_offset = estimate_range_offset(motions);
   std::vector<PathSegment> segments;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const ReflectorMotion mended = with_range_offset(motions[i], calibration.range_offset.offset);
-    PathSegment segment = recorded[calibration.recorded[i]].segment;
-    segment.start_T_end = mended.start_T_end;
-    segment.turn = mended.turn;
+  for (const std::size_t i : calibration.recorded) {
+    PathSegment segment = recorded[i].segment;
+    if (recorded[i].egomotion == EgomotionSource::kReflectors) {
+      const ReflectorMotion mended =
+          with_range_offset(recorded[i].motion, calibration.range_offset.offset);
+      segment.start_T_end = mended.start_T_end;
+      segment.turn = mended.turn;
+    }
     segments.push_back(segment);
   }
-  CalibratorParams with_reflectors = params;
-  add_lasting_noise(motions, lasting_noise, with_reflectors.noise);
-  calibration.result = calibrate(segments, with_reflectors);
+  CalibratorParams with_lasting = params;
+  if (!motions.empty()) add_lasting_noise(motions, lasting_noise, with_lasting.noise);
+  if (!scan_motions.empty()) add_lasting_noise(scan_motions, with_lasting.noise);
+  calibration.result = calibrate(segments, with_lasting);
   return calibration;
 }
 

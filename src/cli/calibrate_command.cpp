@@ -19,9 +19,11 @@ namespace {
 
 struct CalibrateOptions {
   std::string recording, start, out, date;
+  std::string egomotion = "auto";
   bool standard = false;
   CalibrationTopics topics;
   SegmentRecorderParams recorder;
+  ScanNormalizerParams scanner;
   CalibratorParams calibrator;
   std::vector<double> laser;
 };
@@ -56,8 +58,14 @@ void take_nominal(CalibrateOptions& options) {
 
 void calibrate_bag(CalibrateOptions options) {
   take_nominal(options);
+  if (options.egomotion == "auto") {
+    options.recorder.egomotion =
+        egomotion_in(options.recording, options.topics, options.recorder.reflectors.min_reflectors);
+  } else if (options.egomotion == name_of(EgomotionSource::kScans)) {
+    options.recorder.egomotion = EgomotionSource::kScans;
+  }
   const CalibrationRecording recording =
-      read_calibration_drive(options.recording, options.topics, options.recorder);
+      read_calibration_drive(options.recording, options.topics, options.recorder, options.scanner);
   std::cout << options.recording << ": " << recording.description << "\n";
   const ReflectorCalibration calibration = calibrate_recorded(
       recording.segments, options.calibrator, options.recorder.reflectors.lasting_noise);
@@ -117,6 +125,18 @@ void add_nominal_options(CLI::App* verb, CalibrateOptions& options) {
       ->capture_default_str();
 }
 
+void add_egomotion_options(CLI::App* verb, CalibrateOptions& options) {
+  verb->add_option("--egomotion", options.egomotion,
+                   "what tells how the laser moved; auto: reflectors where the bag has enough")
+      ->check(CLI::IsMember({"auto", "reflectors", "scans"}))
+      ->capture_default_str();
+  verb->add_option("--encoders", options.topics.encoders, "topic; default: the only one");
+  verb->add_option("--reflectors", options.topics.reflectors, "topic; default: the only one");
+  verb->add_option("--scans", options.topics.scans, "topic; default: the only one");
+  verb->add_flag("--upside-down", options.scanner.upside_down,
+                 "the laser of the scans hangs with its z axis down");
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
@@ -124,14 +144,14 @@ void add_calibrate(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "calibrate", "steer offsets, driving scale and pose of the laser of a tricycle");
   verb->add_option("recording", options->recording,
-                   "bag with encoders and reflectors of a calibration drive, or a tricycle's log")
+                   "bag with encoders and reflectors or scans of a calibration drive, or a "
+                   "tricycle's log")
       ->required();
   verb->add_option("--out", options->out,
                    "YAML file to write; one that is there is kept as FILE.previous.yaml");
   verb->add_option("--date", options->date, "text for the file, default empty");
   add_nominal_options(verb, *options);
-  verb->add_option("--encoders", options->topics.encoders, "topic; default: the only one");
-  verb->add_option("--reflectors", options->topics.reflectors, "topic; default: the only one");
+  add_egomotion_options(verb, *options);
   verb->add_flag("--standard", options->standard, "one steer offset for both directions");
   verb->add_flag("--free-wheelbase", options->calibrator.free_wheelbase, "find the wheelbase, too");
   verb->add_flag("--free-steer-gain", options->calibrator.free_steer_gain,

@@ -78,12 +78,17 @@ void print_tied(std::ostream& out, const std::vector<CalibrationParameter>& tied
   out << "\n";
 }
 
+bool from_scans(const std::vector<RecordedSegment>& recorded) {
+  return !recorded.empty() && recorded.front().egomotion == EgomotionSource::kScans;
+}
+
 }  // namespace
 
 void print_segments(std::ostream& out, const std::vector<RecordedSegment>& recorded,
                     const ReflectorCalibration& calibration) {
-  out << "segment  phase            steering     turn  reflectors   x [mm]   y [mm] [cdeg]   "
-         "chi2\n";
+  const bool scans = from_scans(recorded);
+  out << line("segment  phase            steering     turn  %10s   x [mm]   y [mm] [cdeg]   chi2\n",
+              scans ? "walls" : "reflectors");
   std::size_t next = 0;  // of the segments that count
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     const RecordedSegment& found = recorded[i];
@@ -93,7 +98,7 @@ void print_segments(std::ostream& out, const std::vector<RecordedSegment>& recor
     }
     out << line("%7zu  %-15s %7.2f  %7.2f  %10zu", i + 1, name_of(phase_of(found.segment)),
                 radians_to_degrees(found.segment.steering), radians_to_degrees(found.segment.turn),
-                found.motion.pairs.size());
+                scans ? found.scan_motion.parts : found.motion.pairs.size());
     if (calibration.result.estimate) {
       const SegmentReport& report = calibration.result.estimate->segments.at(next);
       out << line(" %8.2f %8.2f %6.2f %6.1f%s", 1e3 * report.residual.x(),
@@ -103,6 +108,7 @@ void print_segments(std::ostream& out, const std::vector<RecordedSegment>& recor
     out << "\n";
     ++next;
   }
+  if (scans) return;
   out << line("ranges of reflectors: %+.2f mm (%.2f)\n", 1e3 * calibration.range_offset.offset,
               1e3 * calibration.range_offset.deviation);
 }
