@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shared_halt.hpp"
+
 namespace falko_slam {
 namespace {
 
@@ -44,11 +46,16 @@ ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& reco
   calibration.range_offset = estimate_range_offset(motions);
   std::vector<PathSegment> segments;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    const ReflectorMotion mended = with_range_offset(motions[i], calibration.range_offset.offset);
+    motions[i] = with_range_offset(motions[i], calibration.range_offset.offset);
     PathSegment segment = recorded[calibration.recorded[i]].segment;
-    segment.start_T_end = mended.start_T_end;
-    segment.turn = mended.turn;
+    segment.start_T_end = motions[i].start_T_end;
+    segment.turn = motions[i].turn;
     segments.push_back(segment);
+  }
+  for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
+    if (calibration.recorded[i] + 1 != calibration.recorded[i + 1]) continue;
+    segments[i].covariance_with_next =
+        covariance_at_halt(motions[i], motions[i + 1], lasting_noise);
   }
   CalibratorParams with_reflectors = params;
   add_lasting_noise(motions, lasting_noise, with_reflectors.noise);
