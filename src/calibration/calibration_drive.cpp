@@ -100,6 +100,17 @@ void validate(const MonteCarloParams& params) {
   require_in_range("noise.common_steer", noise.common_steer, 0.0, 0.1);
   require_in_range("noise.viewpoint_bias", noise.viewpoint_bias, 0.0, 1.0);
   require_in_range("runs", params.runs, 2, 1000000);
+  require_in_range("threads", params.threads, 1, 256);
+}
+
+// A displacement of this length has half of its square in each coordinate, and there are two ends.
+CalibrationNoise told_of_viewpoint_bias(CalibrationNoise told,
+                                        const SimulatedCalibrationNoise& simulated) {
+  const double near = simulated.min_distance, far = simulated.max_distance;
+  const double spread = std::sqrt((near * near + near * far + far * far) / 3.0);
+  told.common_position = simulated.viewpoint_bias / std::sqrt(simulated.reflectors);
+  told.common_turn = told.common_position / spread;
+  return told;
 }
 
 std::vector<PathSegment> simulate_calibration_drive(const CalibrationCondition& condition,

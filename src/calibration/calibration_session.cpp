@@ -78,7 +78,7 @@ bool CalibrationSession::stands(Time now, Duration since) const {
   return !moved_ || now - *moved_ >= since;
 }
 
-ReflectorCalibration CalibrationSession::evaluate() {
+RecordedCalibration CalibrationSession::evaluate() {
   recorder_.finish();
   take_segments();
   return calibrate_recorded(segments_of(arcs_), params_.calibrator,

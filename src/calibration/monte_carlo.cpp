@@ -3,32 +3,13 @@
 #include "falko_slam/calibration/monte_carlo.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
-#include "falko_slam/geometry/angles.hpp"
+#include "falko_slam/common/parallel_work.hpp"
 #include "noise_mixture.hpp"
 
 namespace falko_slam {
 namespace {
-
-// Mean and spread of vectors, one by one.
-class Spread {
- public:
-  void add(const CalibrationVector& deviation) {
-    ++count_;
-    const CalibrationVector before = deviation - mean_;
-    mean_ += before / count_;
-    squares_ += before.cwiseProduct(deviation - mean_);
-  }
-  const CalibrationVector& mean() const { return mean_; }
-  CalibrationVector deviation() const {
-    return (squares_ / std::max(1.0, count_ - 1.0)).cwiseSqrt();
-  }
-
- private:
-  double count_ = 0.0;
-  CalibrationVector mean_ = CalibrationVector::Zero(), squares_ = CalibrationVector::Zero();
-};
 
 // Covariance of the best estimate there can be from segments seen as well as these.
 CalibrationVector bound_of(const std::vector<PathSegment>& segments,
@@ -51,14 +32,10 @@ CalibrationVector bound_of(const std::vector<PathSegment>& segments,
   return (free.columns * covariance * free.columns.transpose()).diagonal();
 }
 
-// Differences of what both estimates say and what is true; the heading of the laser wraps.
-CalibrationVector deviation_of(const VehicleCalibration& estimate,
-                               const VehicleCalibration& truth) {
-  CalibrationVector deviation = vector_of(estimate) - vector_of(truth);
-  const auto theta = static_cast<Eigen::Index>(index_of(CalibrationParameter::kLaserTheta));
-  deviation[theta] = angle_between(truth.base_T_laser.theta(), estimate.base_T_laser.theta());
-  return deviation;
-}
+struct Outcome {
+  CalibrationResult result;
+  CalibrationVector bound;
+};
 
 }  // namespace
 
@@ -66,44 +43,22 @@ MonteCarloReport run_monte_carlo(const CalibrationCondition& condition,
                                  const MonteCarloParams& params) {
   validate(condition);
   validate(params);
+  constexpr int kChunk = 128;  // drives that are kept at once
   std::mt19937_64 random(params.seed);
-  MonteCarloReport report;
-  report.condition = condition;
-  const CalibrationVector truth = vector_of(params.truth);
-  Spread closed_form, likeliest;
-  CalibrationVector bounds = CalibrationVector::Zero(), covered = bounds, widths = bounds;
-  double outliers = 0.0, chi2 = 0.0;
-  for (int run = 0; run < params.runs; ++run) {
-    const auto segments = simulate_calibration_drive(condition, params, random);
-    const CalibrationResult result = calibrate(segments, params.calibrator);
-    if (!result.estimate) {
-      ++report.refused;
-      continue;
+  CalibrationTally tally(params.truth);
+  for (int done = 0; done < params.runs; done += kChunk) {
+    std::vector<std::vector<PathSegment>> drives;
+    for (int run = done; run < std::min(done + kChunk, params.runs); ++run) {
+      drives.push_back(simulate_calibration_drive(condition, params, random));
     }
-    const CalibrationEstimate& estimate = *result.estimate;
-    ++report.runs;
-    closed_form.add(deviation_of(*result.closed_form, params.truth));
-    likeliest.add(deviation_of(estimate.calibration, params.truth));
-    bounds += bound_of(segments, params);
-    for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const ParameterInterval& interval = estimate.intervals[i];
-      covered[row] += interval.low <= truth[row] && truth[row] <= interval.high ? 1.0 : 0.0;
-      widths[row] += 0.5 * (interval.high - interval.low);
-    }
-    for (const SegmentReport& segment : estimate.segments) outliers += segment.used ? 0.0 : 1.0;
-    chi2 += estimate.chi2 / estimate.degrees_of_freedom;
+    std::vector<Outcome> outcomes(drives.size());
+    do_in_parallel(drives.size(), static_cast<std::size_t>(params.threads), [&](std::size_t i) {
+      outcomes[i] = {calibrate(drives[i], params.calibrator), bound_of(drives[i], params)};
+    });
+    for (const Outcome& outcome : outcomes) tally.add(outcome.result, outcome.bound);
   }
-  const double runs = std::max(1, report.runs);
-  report.outlier_share = outliers / runs / (4.0 * condition.arcs_per_phase);
-  report.mean_chi2 = chi2 / runs;
-  for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    report.parameters[i] = {closed_form.deviation()[row],  likeliest.deviation()[row],
-                            std::sqrt(bounds[row] / runs), likeliest.mean()[row],
-                            covered[row] / runs,           widths[row] / runs};
-  }
-  return report;
+  return {condition,       tally.statistics(),    tally.runs(),
+          tally.refused(), tally.outlier_share(), tally.mean_chi2()};
 }
 
 }  // namespace falko_slam

@@ -49,6 +49,22 @@ void validate(const PathSegment& segment, std::size_t index) {
   }
 }
 
+// Block by block, as a matrix that is positive definite can be decomposed.
+void validate_covariance_of_all(const std::vector<PathSegment>& segments) {
+  Eigen::Matrix3d left = Eigen::Matrix3d::Zero();  // of a covariance when those before are known
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Eigen::Matrix3d& with_next = segments[i].covariance_with_next;
+    require_finite(i, "covariance_with_next", with_next.norm());
+    left = segments[i].start_T_end.covariance - left;
+    const Eigen::LLT<Eigen::Matrix3d> root(left);
+    if (root.info() != Eigen::Success) {
+      refuse(i - 1, "covariance_with_next", segments[i - 1].covariance_with_next.norm(),
+             "its norm: with the next segment there is no positive definite covariance");
+    }
+    left = with_next.transpose() * root.solve(with_next);
+  }
+}
+
 }  // namespace
 
 const char* name_of(DrivePhase phase) {
@@ -71,6 +87,7 @@ bool is_forward(DrivePhase phase) {
 
 void validate(const std::vector<PathSegment>& segments) {
   for (std::size_t i = 0; i < segments.size(); ++i) validate(segments[i], i);
+  validate_covariance_of_all(segments);
 }
 
 DrivePhase phase_of(const PathSegment& segment) {

@@ -58,7 +58,8 @@ MeasuredStretch stretch_of(const PathSegment& segment) {
   const Pose2& pose = segment.start_T_end.pose;
   return {{{segment.ticks, segment.steering}},
           {pose.x(), pose.y(), segment.turn},
-          segment.start_T_end.covariance};
+          segment.start_T_end.covariance,
+          segment.covariance_with_next};
 }
 
 // s_pos = R(l_theta)^T v with v = r_pos + (R(r_theta) - I) l_pos, s_theta = r_theta.

@@ -23,6 +23,8 @@ struct MeasuredStretch {
   Eigen::Vector3d motion;      ///< (x, y, turn with its whole turns) of the laser at the end, seen
                                ///< from where it was at the start
   Eigen::Matrix3d covariance;  ///< of motion as measured
+  /// With the motion of the next stretch; columns: the next one.
+  Eigen::Matrix3d covariance_with_next = Eigen::Matrix3d::Zero();
 };
 MeasuredStretch stretch_of(const PathSegment& segment);
 

@@ -5,45 +5,67 @@
 #include <Eigen/Cholesky>
 
 namespace falko_slam {
+namespace {
+
+constexpr Eigen::Index kMotions = 3 * static_cast<Eigen::Index>(kDrivePhases);  // columns of E
+
+}  // namespace
 
 WhitenedSums::WhitenedSums(const StretchSet& set, const FreeParameters& free,
                            const std::vector<StretchPrediction>& predictions,
                            const CalibrationNoise& noise)
-    : count_(free.count()), sums_(Eigen::MatrixXd::Zero(last() + 1, last() + 1)) {
-  std::array<Phase, kDrivePhases> phases;
-  for (Phase& phase : phases) phase.Et_all.setZero(3, last() + 1);
+    : count_(free.count()) {
+  using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  const Eigen::Index columns = last() + 1 + kMotions;  // H Z r E
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(columns, columns);
+  Rows before;                     // whitened, of the stretch before
+  Eigen::Matrix3d before_to_here;  // its factor in the decomposition of W
+  bool linked = false;
   for (std::size_t i = 0; i < set.stretches.size(); ++i) {
-    if (!set.used[i]) continue;
+    if (!set.used[i]) {
+      linked = false;
+      continue;
+    }
     const StretchPrediction& prediction = predictions[i];
-    const Eigen::LLT<Eigen::Matrix3d> root(
-        residual_covariance(set.stretches[i], prediction, noise));
-    const Eigen::Matrix3d L = root.matrixL();
-    const auto slip = count_ + static_cast<Eigen::Index>(set.phases[i]);
-    Eigen::Matrix<double, 3, Eigen::Dynamic> all =
-        Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, last() + 1);
-    all.leftCols(count_) = prediction.dparameters * free.columns;
-    all.col(slip) = prediction.dslip;
-    all.col(slip + static_cast<Eigen::Index>(kDrivePhases)) = prediction.dsteer;
-    all.col(last()) = set.stretches[i].motion - prediction.motion;
-    L.triangularView<Eigen::Lower>().solveInPlace(all);
-    Eigen::Matrix3d E = Eigen::Matrix3d::Identity();
-    L.triangularView<Eigen::Lower>().solveInPlace(E);
-    sums_ += all.transpose() * all;
+    const auto phase = static_cast<Eigen::Index>(set.phases[i]);
+    Rows rows = Rows::Zero(3, columns);
+    rows.leftCols(count_) = prediction.dparameters * free.columns;
+    rows.col(count_ + phase) = prediction.dslip;
+    rows.col(count_ + phase + static_cast<Eigen::Index>(kDrivePhases)) = prediction.dsteer;
+    rows.col(last()) = set.stretches[i].motion - prediction.motion;
+    rows.middleCols<3>(last() + 1 + 3 * phase).setIdentity();
+    Eigen::Matrix3d W = residual_covariance(set.stretches[i], prediction, noise);
+    if (linked) {
+      W -= before_to_here * before_to_here.transpose();
+      rows -= before_to_here * before;
+    }
+    const Eigen::Matrix3d L = W.llt().matrixL();
+    L.triangularView<Eigen::Lower>().solveInPlace(rows);
+    sums += rows.transpose() * rows;
     log_determinant_ += 2.0 * L.diagonal().array().log().sum();
-    phases[set.phases[i]].EtE += E.transpose() * E;
-    phases[set.phases[i]].Et_all += E.transpose() * all;
+    before_to_here = set.stretches[i].covariance_with_next;
+    L.triangularView<Eigen::Lower>().solveInPlace(before_to_here);
+    before_to_here.transposeInPlace();
+    before = rows;
+    linked = true;
   }
-  const Eigen::Vector3d deviations(noise.common_position, noise.common_position, noise.common_turn);
+  sums_ = sums.topLeftCorner(last() + 1, last() + 1);
+  Eigen::VectorXd deviations(kMotions);
+  for (Eigen::Index i = 0; i < kMotions; ++i) {
+    deviations[i] = i % 3 == 2 ? noise.common_turn : noise.common_position;
+  }
   if (deviations.maxCoeff() <= 0.0) return;
-  for (const Phase& phase : phases) take_out(phase, deviations);
+  take_out(sums.bottomRightCorner(kMotions, kMotions), sums.bottomLeftCorner(kMotions, last() + 1),
+           deviations);
 }
 
-void WhitenedSums::take_out(const Phase& phase, const Eigen::Vector3d& deviations) {
-  const Eigen::Matrix3d scaled = deviations.asDiagonal() * phase.EtE * deviations.asDiagonal();
-  const Eigen::LLT<Eigen::Matrix3d> D(Eigen::Matrix3d::Identity() + scaled);
-  const Eigen::Matrix3d L = D.matrixL();
+void WhitenedSums::take_out(const Eigen::MatrixXd& EtE, const Eigen::MatrixXd& Et_all,
+                            const Eigen::VectorXd& deviations) {
+  const Eigen::MatrixXd scaled = deviations.asDiagonal() * EtE * deviations.asDiagonal();
+  const Eigen::LLT<Eigen::MatrixXd> D(Eigen::MatrixXd::Identity(kMotions, kMotions) + scaled);
+  const Eigen::MatrixXd L = D.matrixL();
   const Eigen::MatrixXd common =
-      L.triangularView<Eigen::Lower>().solve(deviations.asDiagonal() * phase.Et_all);
+      L.triangularView<Eigen::Lower>().solve(deviations.asDiagonal() * Et_all);
   sums_ -= common.transpose() * common;
   log_determinant_ += 2.0 * L.diagonal().array().log().sum();
 }

@@ -15,11 +15,10 @@ using CommonVector = Eigen::Matrix<double, kCommonErrors, 1>;
 using CommonMatrix = Eigen::Matrix<double, kCommonErrors, kCommonErrors>;
 
 /// All sums over the stretches that a solution of r = H x + Z u needs, whitened by the errors of
-/// each alone and by what the egomotion of a phase has in common,
+/// each alone, by what neighbours share (W, block-tridiagonal), and by what the egomotion of a
+/// phase has in common, which is known and can be taken out,
 ///
 ///     W^-1 - W^-1 E (T^-2 + E^T W^-1 E)^-1 E^T W^-1        E: one 3 x 3 identity per stretch
-///
-/// for that is known and can be taken out phase by phase.
 class WhitenedSums {
  public:
   WhitenedSums(const StretchSet& set, const FreeParameters& free,
@@ -36,12 +35,9 @@ class WhitenedSums {
   double log_determinant() const { return log_determinant_; }  ///< of the whole covariance
 
  private:
-  struct Phase {
-    Eigen::Matrix3d EtE = Eigen::Matrix3d::Zero();
-    Eigen::Matrix<double, 3, Eigen::Dynamic> Et_all;
-  };
   Eigen::Index last() const { return count_ + kCommonErrors; }
-  void take_out(const Phase& phase, const Eigen::Vector3d& deviations);
+  void take_out(const Eigen::MatrixXd& EtE, const Eigen::MatrixXd& Et_all,
+                const Eigen::VectorXd& deviations);
 
   Eigen::Index count_;
   Eigen::MatrixXd sums_;  // of (H Z r)^T (H Z r)

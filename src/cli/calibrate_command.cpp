@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "falko_slam/calibration/calibration_file.hpp"
-#include "falko_slam/calibration/reflector_calibration.hpp"
+#include "falko_slam/calibration/recorded_calibration.hpp"
 #include "falko_slam/ros_bridge/calibration_recording.hpp"
 #include "falko_slam/sensor/log_kind.hpp"
 #include "falko_slam/vehicle/tricycle_log.hpp"
@@ -67,7 +67,7 @@ void calibrate_bag(CalibrateOptions options) {
   const CalibrationRecording recording =
       read_calibration_drive(options.recording, options.topics, options.recorder, options.scanner);
   std::cout << options.recording << ": " << recording.description << "\n";
-  const ReflectorCalibration calibration = calibrate_recorded(
+  const RecordedCalibration calibration = calibrate_recorded(
       recording.segments, options.calibrator, options.recorder.reflectors.lasting_noise);
   print_segments(std::cout, recording.segments, calibration);
   print(std::cout, calibration.result);

@@ -85,7 +85,7 @@ bool from_scans(const std::vector<RecordedSegment>& recorded) {
 }  // namespace
 
 void print_segments(std::ostream& out, const std::vector<RecordedSegment>& recorded,
-                    const ReflectorCalibration& calibration) {
+                    const RecordedCalibration& calibration) {
   const bool scans = from_scans(recorded);
   out << line("segment  phase            steering     turn  %10s   x [mm]   y [mm] [cdeg]   chi2\n",
               scans ? "walls" : "reflectors");

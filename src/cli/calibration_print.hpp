@@ -5,7 +5,7 @@
 #include <ostream>
 #include <vector>
 
-#include "falko_slam/calibration/reflector_calibration.hpp"
+#include "falko_slam/calibration/recorded_calibration.hpp"
 #include "falko_slam/calibration/trajectory_calibration.hpp"
 
 namespace falko_slam {
@@ -15,7 +15,7 @@ namespace cli {
 
 /// Each recorded segment with its residual, or why it is none.
 void print_segments(std::ostream& out, const std::vector<RecordedSegment>& recorded,
-                    const ReflectorCalibration& calibration);
+                    const RecordedCalibration& calibration);
 
 /// Verdict, remarks, parameters with standard deviations and 95 % intervals.
 void print(std::ostream& out, const CalibrationResult& result);

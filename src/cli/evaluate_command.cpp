@@ -178,6 +178,7 @@ void add_evaluate(CLI::App& app) {
   add_loops(*verb);
   add_drive(*verb);
   add_evaluate_slam(*verb);
+  add_evaluate_calibration(*verb);
 }
 
 }  // namespace cli

@@ -69,7 +69,7 @@ class CalibrationNodelet : public nodelet::Nodelet {
   };
   bool on_compute(ComputeCalibration::Request& request, ComputeCalibration::Response& response);
   /// False if there are no numbers.
-  bool conclude(const ReflectorCalibration& calibration, CalibrateResult& result);
+  bool conclude(const RecordedCalibration& calibration, CalibrateResult& result);
   /// Says what has been written, or why nothing was.
   std::string keep(const CalibrationResult& result, TricycleModel model, const KeepWish& wish,
                    CalibrationOutcome& outcome) const;

@@ -19,11 +19,11 @@ std::string date_of_today() {
          "Z";
 }
 
-ReflectorCalibration calibrate_given(const std::vector<CalibrationArc>& arcs,
-                                     const CalibratorParams& params) {
+RecordedCalibration calibrate_given(const std::vector<CalibrationArc>& arcs,
+                                    const CalibratorParams& params) {
   std::vector<PathSegment> segments;
   for (const CalibrationArc& arc : arcs) segments.push_back(from_message(arc));
-  ReflectorCalibration calibration;
+  RecordedCalibration calibration;
   calibration.result = calibrate(segments, params);
   calibration.recorded.resize(segments.size());
   std::iota(calibration.recorded.begin(), calibration.recorded.end(), std::size_t{0});
@@ -58,8 +58,7 @@ std::string CalibrationNodelet::keep(const CalibrationResult& result, TricycleMo
   return summary + "; written to " + path;
 }
 
-bool CalibrationNodelet::conclude(const ReflectorCalibration& calibration,
-                                  CalibrateResult& result) {
+bool CalibrationNodelet::conclude(const RecordedCalibration& calibration, CalibrateResult& result) {
   driven_ = session_->arcs();
   markers_->set_arcs(driven_);
   markers_->set_result(calibration);
@@ -85,7 +84,7 @@ bool CalibrationNodelet::on_compute(ComputeCalibration::Request& request,
     params.free_steer_gain = params.free_steer_gain || request.free_steer_gain;
     if (request.arcs.empty() && driven_.empty()) throw std::runtime_error("there are no arcs");
     const double lasting_noise = params_.session.recorder.reflectors.lasting_noise;
-    const ReflectorCalibration calibration =
+    const RecordedCalibration calibration =
         request.arcs.empty() ? calibrate_recorded(segments_of(driven_), params, lasting_noise)
                              : calibrate_given(request.arcs, params);
     response.outcome = to_message(calibration.result);

@@ -103,7 +103,7 @@ void CalibrationMarkers::set_arcs(const std::vector<SessionArc>& arcs) {
   for (std::size_t i = arrows_.size(); i < arcs.size(); ++i) arrows_.push_back(arrow_of(arcs[i]));
 }
 
-void CalibrationMarkers::set_result(const ReflectorCalibration& calibration) {
+void CalibrationMarkers::set_result(const RecordedCalibration& calibration) {
   if (!calibration.result.estimate) return;
   for (std::size_t i = 0; i < calibration.recorded.size(); ++i) {
     std::optional<Arrow>& arrow = arrows_.at(calibration.recorded[i]);

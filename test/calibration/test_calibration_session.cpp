@@ -23,7 +23,7 @@ class Session : public ::testing::Test {
 TEST_F(Session, LeadsFromTheFirstCommandToTheVehicle) {
   ASSERT_TRUE(drive_.drive_until([&] { return session_.over(); }));
   ASSERT_TRUE(session_.driver().done()) << session_.driver().reason();
-  const ReflectorCalibration calibration = session_.evaluate();
+  const RecordedCalibration calibration = session_.evaluate();
 
   ASSERT_EQ(session_.arcs().size(), 8U);
   ASSERT_TRUE(calibration.result.estimate);
@@ -81,7 +81,7 @@ TEST_F(Session, EndsWhenTooManyArcsGiveNothing) {
 TEST_F(Session, HasNoNumberAfterOnePhase) {
   ASSERT_TRUE(drive_.drive_until([&] { return session_.arcs().size() == 2; }));
   session_.abort("enough");
-  const ReflectorCalibration calibration = session_.evaluate();
+  const RecordedCalibration calibration = session_.evaluate();
   EXPECT_EQ(calibration.result.verdict, CalibrationVerdict::kUnobservable);
   EXPECT_FALSE(calibration.result.estimate);
 }

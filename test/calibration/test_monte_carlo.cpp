@@ -104,8 +104,7 @@ TEST(MonteCarlo, CoversTheTruthIfTheNoiseIsNotWhatWasSaid) {
 TEST(MonteCarlo, CoversTheTruthWithReflectorsThatLookDisplaced) {
   MonteCarloParams params = known_noise(100);
   params.noise.viewpoint_bias = 0.005;
-  params.calibrator.noise.common_position = 0.005 * std::sqrt(2.0 / params.noise.reflectors);
-  params.calibrator.noise.common_turn = params.calibrator.noise.common_position / 14.0;
+  params.calibrator.noise = told_of_viewpoint_bias(params.calibrator.noise, params.noise);
 
   const auto report = run_monte_carlo(thesis_conditions()[5], params);
 
@@ -122,6 +121,23 @@ TEST(MonteCarlo, IsTheSameForTheSameSeed) {
   EXPECT_EQ(first.parameters[2].deviation, again.parameters[2].deviation);
   EXPECT_NE(first.parameters[2].deviation,
             run_monte_carlo(thesis_conditions()[0], other).parameters[2].deviation);
+}
+
+TEST(MonteCarlo, IsTheSameForAnyNumberOfThreads) {
+  MonteCarloParams params = known_noise(5);
+  const auto one = run_monte_carlo(thesis_conditions()[0], params);
+  params.threads = 3;
+  const auto three = run_monte_carlo(thesis_conditions()[0], params);
+  for (std::size_t i = 0; i < kFixedWheelbase; ++i) {
+    EXPECT_EQ(one.parameters[i].deviation, three.parameters[i].deviation) << i;
+    EXPECT_EQ(one.parameters[i].half_width, three.parameters[i].half_width) << i;
+  }
+}
+
+TEST(MonteCarlo, KnowsHowDeviationsScatter) {
+  const DeviationScatter scatter = scatter_of_deviation(400);
+  EXPECT_NEAR(scatter.low, std::sqrt(345.551 / 399.0), 1e-4);  // of tables of chi-square
+  EXPECT_NEAR(scatter.high, std::sqrt(456.236 / 399.0), 1e-4);
 }
 
 TEST(MonteCarlo, GetsBetterWithScansAtRest) {

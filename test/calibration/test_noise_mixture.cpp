@@ -35,7 +35,12 @@ Problem simulated_problem() {
 
 // Generalised least squares with the whole covariance written out.
 TEST(NoiseMixture, IsGeneralisedLeastSquares) {
-  const Problem problem = simulated_problem();
+  Problem problem = simulated_problem();
+  for (std::size_t k = 0; k < 5; ++k) {  // the others share nothing
+    problem.set.stretches[k].covariance_with_next =
+        -0.3 * problem.set.stretches[k].covariance +
+        1e-7 * Eigen::Vector3d(2.0, 1.0, 0.1) * Eigen::RowVector3d(1.0, -1.0, 0.1);
+  }
   CalibrationNoise noise;
   noise.common_slip = 1e-3;
   noise.common_steer = 5e-4;
@@ -50,6 +55,10 @@ TEST(NoiseMixture, IsGeneralisedLeastSquares) {
     const StretchPrediction prediction = predict(problem.at, stretch.arcs);
     const auto phase = static_cast<Eigen::Index>(problem.set.phases[static_cast<std::size_t>(k)]);
     V.block<3, 3>(3 * k, 3 * k) = residual_covariance(stretch, prediction, noise);
+    if (k + 1 < count) {
+      V.block<3, 3>(3 * k, 3 * k + 3) = stretch.covariance_with_next;
+      V.block<3, 3>(3 * k + 3, 3 * k) = stretch.covariance_with_next.transpose();
+    }
     H.middleRows<3>(3 * k) = prediction.dparameters * problem.free.columns;
     Z.block<3, 1>(3 * k, phase) = noise.common_slip * prediction.dslip;
     Z.block<3, 1>(3 * k, phase + 4) = noise.common_steer * prediction.dsteer;
@@ -74,6 +83,23 @@ TEST(NoiseMixture, IsGeneralisedLeastSquares) {
   EXPECT_LT((found.covariance - covariance).norm(), 1e-6 * covariance.norm());
   EXPECT_LT((found.correction - x).norm(), 1e-6 * x.norm());
   EXPECT_NEAR(found.chi2, (r - H * x).dot(weight * (r - H * x)), 1e-6);
+}
+
+TEST(NoiseMixture, SharesNothingAcrossAStretchThatIsLeftOut) {
+  Problem with = simulated_problem();
+  for (MeasuredStretch& stretch : with.set.stretches) {
+    stretch.covariance_with_next = -0.3 * stretch.covariance;
+  }
+  with.set.used[2] = false;
+  Problem without = with;
+  without.set.stretches[1].covariance_with_next.setZero();
+  without.set.stretches.erase(without.set.stretches.begin() + 2);
+  without.set.phases.erase(without.set.phases.begin() + 2);
+  without.set.used.erase(without.set.used.begin() + 2);
+  const MixtureComponent left_out = estimate_with(with.set, with.free, with.at, {});
+  const MixtureComponent missing = estimate_with(without.set, without.free, without.at, {});
+  EXPECT_LT((left_out.correction - missing.correction).norm(), 1e-12);
+  EXPECT_NEAR(left_out.chi2, missing.chi2, 1e-9 * missing.chi2);
 }
 
 TEST(NoiseMixture, HasOneComponentWhereTheNoiseIsKnown) {

@@ -61,6 +61,17 @@ TEST(PathSegment, IsRefusedIfTheCovarianceIsNone) {
   EXPECT_NE(refusal(segments).find("covariance"), std::string::npos);
 }
 
+TEST(PathSegment, IsRefusedIfItSharesMoreWithTheNextThanBothErr) {
+  auto segments = sound();
+  segments[3].covariance_with_next = -0.5 * segments[3].start_T_end.covariance;
+  EXPECT_EQ(refusal(segments), "");
+  segments[3].covariance_with_next *= 2.1;
+  EXPECT_NE(refusal(segments).find("segments[4].covariance_with_next"), std::string::npos)
+      << refusal(segments);
+  segments[3].covariance_with_next.setConstant(kNan);
+  EXPECT_NE(refusal(segments).find("segments[4].covariance_with_next"), std::string::npos);
+}
+
 TEST(PathSegment, IsRefusedIfTheTurnIsNotItsHeading) {
   auto segments = sound();
   segments[0].turn += 0.1;

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "falko_slam/evaluation/simulated_calibration.hpp"
 #include "falko_slam/geometry/angles.hpp"
-#include "falko_slam/simulation/simulation.hpp"
 
 namespace falko_slam {
 namespace {
@@ -37,17 +37,6 @@ SegmentRecorderParams recorder_params(const Scenario& scenario) {
   params.base_T_laser = scenario.vehicle.nominal_base_T_laser;
   params.encoders = scenario.vehicle.encoders;
   return params;
-}
-
-ReflectorObservation observation_of(const SimulationStep::Scan& scan) {
-  ReflectorObservation observation;
-  observation.first_beam = scan.scan.first_beam;
-  for (const ReflectorDetection& found : scan.reflectors) {
-    observation.reflectors.push_back(
-        {found.range * Eigen::Vector2d(std::cos(found.bearing), std::sin(found.bearing)),
-         from_seconds(found.time_offset)});
-  }
-  return observation;
 }
 
 std::vector<RecordedSegment> recorded(const Scenario& scenario,

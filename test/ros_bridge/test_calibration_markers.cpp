@@ -92,7 +92,7 @@ TEST_F(Drawn, ShowsResidualsWhereTheArcsEnd) {
 
 TEST_F(Drawn, ShowsWhatTheResultSaysAndWhatWasLeftOut) {
   markers_.set_arcs(arcs());
-  ReflectorCalibration calibration;
+  RecordedCalibration calibration;
   calibration.recorded = {0};
   calibration.result.estimate.emplace();
   calibration.result.estimate->segments.resize(1);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "falko_slam/calibration/calibration_driver.hpp"
-#include "falko_slam/calibration/reflector_calibration.hpp"
+#include "falko_slam/calibration/recorded_calibration.hpp"
 
 namespace falko_slam {
 
@@ -56,7 +56,7 @@ class CalibrationSession {
   const std::vector<SessionArc>& arcs() const { return arcs_; }
 
   /// The calibration from all arcs so far. Throws std::invalid_argument as calibrate() does.
-  ReflectorCalibration evaluate();
+  RecordedCalibration evaluate();
 
  private:
   void take_segments();

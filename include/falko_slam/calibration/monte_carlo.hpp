@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
 
+#include "falko_slam/calibration/calibration_tally.hpp"
 #include "falko_slam/calibration/calibrator.hpp"
 
 namespace falko_slam {
@@ -48,36 +48,33 @@ struct MonteCarloParams {
   CalibratorParams calibrator;  ///< its wheelbase is that of the truth unless told otherwise
   int runs = 400;               ///< [2, 1000000]
   std::uint64_t seed = 1;
+  int threads = 1;  ///< [1, 256]
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const CalibrationCondition& condition);
 void validate(const MonteCarloParams& params);
+
+/// What a calibrator has to be told of the viewpoint bias: by how much the reflectors together
+/// displace and turn the laser's motions, alike in all arcs of a phase.
+CalibrationNoise told_of_viewpoint_bias(CalibrationNoise told,
+                                        const SimulatedCalibrationNoise& simulated);
 
 /// One simulated calibration drive.
 std::vector<PathSegment> simulate_calibration_drive(const CalibrationCondition& condition,
                                                     const MonteCarloParams& params,
                                                     std::mt19937_64& random);
 
-/// Of one parameter, in its unit.
-struct ParameterStatistics {
-  double closed_form_deviation = 0.0;  ///< standard deviation of the closed form
-  double deviation = 0.0;              ///< of the maximum likelihood
-  double bound = 0.0;                  ///< Cramer-Rao: no unbiased estimate has less
-  double bias = 0.0;                   ///< mean of the maximum likelihood minus truth
-  double coverage = 0.0;               ///< share of the 95 % intervals that contain the truth
-  double half_width = 0.0;             ///< mean of half the intervals' length
-};
-
 struct MonteCarloReport {
   CalibrationCondition condition;
-  std::array<ParameterStatistics, kCalibrationParameters> parameters;
+  CalibrationStatistics parameters;
   int runs = 0;              ///< that gave numbers
   int refused = 0;           ///< that gave none
   double outlier_share = 0;  ///< of all segments
   double mean_chi2 = 0.0;    ///< per degree of freedom
 };
 
-/// Many simulated calibrations under one condition. The same seed gives the same report.
+/// Many simulated calibrations under one condition. The same seed gives the same report, however
+/// many threads there are.
 MonteCarloReport run_monte_carlo(const CalibrationCondition& condition,
                                  const MonteCarloParams& params);
 

@@ -28,10 +28,14 @@ struct PathSegment {
   double steering = 0.0;     ///< alpha^k as measured [rad], positive to the left, (-pi, pi)
   PoseEstimate start_T_end;  ///< s^k: the laser at the end seen from the laser at the start
   double turn = 0.0;         ///< s_theta^k with its whole turns [rad]; half a turn has two names
+  /// Of the error of (x, y, turn) with that of the next segment in the list, where both share what
+  /// was seen between them; columns: the next one.
+  Eigen::Matrix3d covariance_with_next = Eigen::Matrix3d::Zero();
 };
 
 /// Throws std::invalid_argument that names the segment by its number (from 1), the field and its
-/// value: what is not finite, no ticks, a covariance that is none, a turn that is not the heading.
+/// value: what is not finite, no ticks, a covariance that is none, also with the next segment, a
+/// turn that is not the heading.
 void validate(const std::vector<PathSegment>& segments);
 
 /// The side by the measured steering; 0 counts as left.

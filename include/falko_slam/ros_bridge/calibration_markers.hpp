@@ -27,7 +27,7 @@ class CalibrationMarkers {
   void set_reflectors(const ReflectorObservation& observation);
   /// All so far.
   void set_arcs(const std::vector<SessionArc>& arcs);
-  void set_result(const ReflectorCalibration& calibration);
+  void set_result(const RecordedCalibration& calibration);
 
   visualization_msgs::MarkerArray markers(const std_msgs::Header& header) const;
 

@@ -1,9 +1,12 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "falko_slam/calibration/reflector_calibration.hpp"
+#include "falko_slam/calibration/recorded_calibration.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "shared_halt.hpp"
 
 namespace falko_slam {
 namespace {
@@ -42,11 +45,40 @@ void add_lasting_noise(const std::vector<ScanMotion>& motions, CalibrationNoise&
   calibration.common_turn = std::max(calibration.common_turn, std::sqrt(turn));
 }
 
+// A segment, and what its reflectors say with their ranges mended; empty if scans were used.
+struct MendedSegment {
+  PathSegment segment;
+  std::optional<ReflectorMotion> reflectors;
+};
+
+MendedSegment mended(const RecordedSegment& recorded, double range_offset) {
+  MendedSegment result{recorded.segment, std::nullopt};
+  if (recorded.egomotion == EgomotionSource::kScans) return result;
+  result.reflectors = with_range_offset(recorded.motion, range_offset);
+  result.segment.start_T_end = result.reflectors->start_T_end;
+  result.segment.turn = result.reflectors->turn;
+  return result;
+}
+
+// Neighbours share what reflectors look displaced by at the halt between them.
+std::vector<PathSegment> connected(const std::vector<MendedSegment>& mended,
+                                   const std::vector<std::size_t>& numbers, double lasting_noise) {
+  std::vector<PathSegment> segments;
+  for (std::size_t i = 0; i < mended.size(); ++i) {
+    segments.push_back(mended[i].segment);
+    const bool neighbours = i + 1 < mended.size() && numbers[i] + 1 == numbers[i + 1];
+    if (!neighbours || !mended[i].reflectors || !mended[i + 1].reflectors) continue;
+    segments.back().covariance_with_next =
+        covariance_at_halt(*mended[i].reflectors, *mended[i + 1].reflectors, lasting_noise);
+  }
+  return segments;
+}
+
 }  // namespace
 
-ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
-                                        const CalibratorParams& params, double lasting_noise) {
-  ReflectorCalibration calibration;
+RecordedCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
+                                       const CalibratorParams& params, double lasting_noise) {
+  RecordedCalibration calibration;
   std::vector<ReflectorMotion> motions;
   std::vector<ScanMotion> scan_motions;
   for (std::size_t i = 0; i < recorded.size(); ++i) {
@@ -59,21 +91,15 @@ ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& reco
     }
   }
   calibration.range_offset = estimate_range_offset(motions);
-  std::vector<PathSegment> segments;
+  std::vector<MendedSegment> segments;
   for (const std::size_t i : calibration.recorded) {
-    PathSegment segment = recorded[i].segment;
-    if (recorded[i].egomotion == EgomotionSource::kReflectors) {
-      const ReflectorMotion mended =
-          with_range_offset(recorded[i].motion, calibration.range_offset.offset);
-      segment.start_T_end = mended.start_T_end;
-      segment.turn = mended.turn;
-    }
-    segments.push_back(segment);
+    segments.push_back(mended(recorded[i], calibration.range_offset.offset));
   }
   CalibratorParams with_lasting = params;
   if (!motions.empty()) add_lasting_noise(motions, lasting_noise, with_lasting.noise);
   if (!scan_motions.empty()) add_lasting_noise(scan_motions, with_lasting.noise);
-  calibration.result = calibrate(segments, with_lasting);
+  calibration.result =
+      calibrate(connected(segments, calibration.recorded, lasting_noise), with_lasting);
   return calibration;
 }
 

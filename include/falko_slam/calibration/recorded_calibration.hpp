@@ -11,7 +11,7 @@
 namespace falko_slam {
 
 /// A calibration from what a SegmentRecorder cut out of a drive.
-struct ReflectorCalibration {
+struct RecordedCalibration {
   CalibrationResult result;
   RangeOffset range_offset;           ///< of the scanner's reflectors, mended before; of scans: 0
   std::vector<std::size_t> recorded;  ///< which recorded segment each of result.segments is
@@ -26,7 +26,7 @@ struct ReflectorCalibration {
 /// this does to their egomotion counts as common to the phase, unless `params.noise` says more. Of
 /// walls it is ScanMotion::lasting_covariance that counts so.
 /// Throws std::invalid_argument as calibrate() does.
-ReflectorCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
-                                        const CalibratorParams& params, double lasting_noise);
+RecordedCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
+                                       const CalibratorParams& params, double lasting_noise);
 
 }  // namespace falko_slam
