@@ -79,8 +79,8 @@ std::int32_t CalibrationDriver::add(const EncoderReading& reading) {
   return step.ticks;
 }
 
-void CalibrationDriver::add_scan(Time stamp, std::size_t reflectors) {
-  if (reflectors > 0) last_scan_ = last_scan_ ? std::max(*last_scan_, stamp) : stamp;
+void CalibrationDriver::add_scan(Time stamp, std::size_t seen) {
+  if (seen > 0) last_scan_ = last_scan_ ? std::max(*last_scan_, stamp) : stamp;
 }
 
 void CalibrationDriver::abort(const std::string& reason) {
@@ -99,7 +99,7 @@ void CalibrationDriver::watch(Time now) {
     return now - last.value_or(*begin_) > from_seconds(timeout);
   };
   if (silent(last_reading_, params_.encoder_timeout)) return abort("no encoder readings");
-  if (silent(last_scan_, params_.scan_timeout)) return abort("no scans with reflectors");
+  if (silent(last_scan_, params_.scan_timeout)) return abort("no scans that show anything");
   const double distance = odometry_.odom_T_base().translation().norm();
   if (distance > plan_.max_distance) {
     return abort("left the allowed area: " + fixed_text(distance, 2) + " m from the start");

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/calibration/calibration_session.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "falko_slam/common/validation.hpp"
 #include "segment_model.hpp"
+#include "segment_worker.hpp"
 
 namespace falko_slam {
 namespace {
@@ -44,23 +46,30 @@ void validate(const CalibrationSessionParams& params) {
 CalibrationSession::CalibrationSession(const CalibrationSessionParams& params)
     : params_(validated(params)),
       driver_(params.plan, params.driver),
-      recorder_(recorder_params(params)) {}
+      worker_(std::make_unique<SegmentWorker>(recorder_params(params))) {}
+
+CalibrationSession::~CalibrationSession() = default;
 
 void CalibrationSession::add(const EncoderReading& reading) {
   const std::int32_t ticks = driver_.add(reading);
   if (ticks != 0 || !moved_) moved_ = reading.stamp;
-  recorder_.add(reading);
-  take_segments();
+  worker_->add(reading);
 }
 
 void CalibrationSession::add(const ReflectorObservation& observation) {
   driver_.add_scan(observation.first_beam, observation.reflectors.size());
-  recorder_.add(observation);
-  take_segments();
+  worker_->add(observation);
+}
+
+void CalibrationSession::add(const ScanObservation& observation) {
+  const std::vector<BeamStatus>& status = observation.scan.status;
+  const auto valid = std::count(status.begin(), status.end(), BeamStatus::kValid);
+  driver_.add_scan(observation.scan.first_beam_time, static_cast<std::size_t>(valid));
+  worker_->add(observation);
 }
 
 void CalibrationSession::take_segments() {
-  for (RecordedSegment& recorded : recorder_.take()) {
+  for (RecordedSegment& recorded : worker_->take()) {
     SessionArc arc;
     if (recorded.complaint.empty()) {
       arc.residual = residual_of(recorded.segment, params_);
@@ -72,14 +81,22 @@ void CalibrationSession::take_segments() {
   }
 }
 
-WheelCommand CalibrationSession::next(Time now) { return driver_.next(now); }
+WheelCommand CalibrationSession::next(Time now) {
+  take_segments();
+  return driver_.next(now);
+}
+
+void CalibrationSession::catch_up() {
+  worker_->catch_up();
+  take_segments();
+}
 
 bool CalibrationSession::stands(Time now, Duration since) const {
   return !moved_ || now - *moved_ >= since;
 }
 
 RecordedCalibration CalibrationSession::evaluate() {
-  recorder_.finish();
+  worker_->finish();
   take_segments();
   return calibrate_recorded(segments_of(arcs_), params_.calibrator,
                             params_.recorder.reflectors.lasting_noise);

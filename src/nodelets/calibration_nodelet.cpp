@@ -9,6 +9,7 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/reflector_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
@@ -17,6 +18,7 @@ namespace falko_slam {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;
+constexpr double kWarningPeriod = 5.0;  // [s]
 
 }  // namespace
 
@@ -32,7 +34,7 @@ CalibrationNodelet::~CalibrationNodelet() {
   control_timer_.stop();
   diagnostics_timer_.stop();
   encoders_.reset();
-  reflectors_.shutdown();
+  scans_.shutdown();
   compute_.shutdown();
   transforms_.reset();
 }
@@ -66,8 +68,11 @@ void CalibrationNodelet::start_listening() {
   transforms_ = std::make_unique<tf2_ros::TransformListener>(buffer_, node, false);
   encoders_ = std::make_unique<EncoderInput>(
       node, params_.vehicle, [this](const EncoderReading& reading) { on_reading(reading); });
-  reflectors_ =
-      node.subscribe(topics::kReflectors, kQueue, &CalibrationNodelet::on_reflectors, this);
+  if (params_.session.recorder.egomotion == EgomotionSource::kReflectors) {
+    scans_ = node.subscribe(topics::kReflectors, kQueue, &CalibrationNodelet::on_reflectors, this);
+  } else {
+    scans_ = node.subscribe(topics::kScan, kQueue, &CalibrationNodelet::on_scan, this);
+  }
 }
 
 void CalibrationNodelet::start_serving() {
@@ -101,19 +106,27 @@ void CalibrationNodelet::on_reading(const EncoderReading& reading) {
 }
 
 void CalibrationNodelet::on_reflectors(const ReflectorArray& message) {
-  ++scans_;
+  ++scan_count_;
   if (!session_) return;
   const ReflectorObservation observation = from_message(message);
   session_->add(observation);
   markers_->set_reflectors(observation);
 }
 
+void CalibrationNodelet::on_scan(const sensor_msgs::LaserScan& message) {
+  ++scan_count_;
+  if (!session_) return;
+  const ScanReport report = normalize(as_raw_scan(message), params_.scan, scan_.scan);
+  if (report.usable()) return session_->add(scan_);
+  NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "unusable scan: " << describe(report));
+}
+
 void CalibrationNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const bool deaf = readings_ == 0 || scans_ == 0;
-  const std::string silent = readings_ == 0 ? encoders_->topic()
-                             : scans_ == 0  ? reflectors_.getTopic()
-                                            : "";
+  const bool deaf = readings_ == 0 || scan_count_ == 0;
+  const std::string silent = readings_ == 0     ? encoders_->topic()
+                             : scan_count_ == 0 ? scans_.getTopic()
+                                                : "";
   if (deaf) {
     status.summary(DiagnosticStatus::WARN, "nothing on " + silent);
   } else {
@@ -126,8 +139,8 @@ void CalibrationNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& sta
     status.addf("arc", "%zu of %zu", progress.arc + 1, progress.arcs);
   }
   status.add("encoder readings per second", readings_);
-  status.add("scans per second", scans_);
-  readings_ = scans_ = 0;
+  status.add("scans per second", scan_count_);
+  readings_ = scan_count_ = 0;
 }
 
 }  // namespace falko_slam

@@ -10,6 +10,7 @@
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <memory>
@@ -26,9 +27,10 @@ namespace falko_slam {
 
 /// Calibrates a tricycle and its scanner: a wrapper of CalibrationSession.
 ///
-/// Action `calibrate` drives the arcs: subscribes `encoders` or `joint_states`, and `reflectors`;
-/// publishes `drive_command` while it drives, and `calibration_markers`. Whatever goes wrong halts
-/// the vehicle within the control period, and the action ends as soon as it stands. Service
+/// Action `calibrate` drives the arcs: subscribes `encoders` or `joint_states`, and `reflectors` or
+/// `scan`; publishes `drive_command` while it drives, and `calibration_markers`. Whatever goes
+/// wrong halts the vehicle within the control period, and the action ends as soon as it stands.
+/// Service
 /// `~compute_calibration` calibrates from arcs that have been driven. Parameters:
 /// config/calibration.yaml.
 ///
@@ -48,6 +50,7 @@ class CalibrationNodelet : public nodelet::Nodelet {
 
   void on_reading(const EncoderReading& reading);
   void on_reflectors(const ReflectorArray& message);
+  void on_scan(const sensor_msgs::LaserScan& message);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   // calibration_action.cpp
@@ -83,10 +86,11 @@ class CalibrationNodelet : public nodelet::Nodelet {
   std::string file_;                             // for its result
   std::vector<SessionArc> driven_;               // in the last session
   std::unique_ptr<CalibrationMarkers> markers_;
+  ScanObservation scan_;  // its memory is used again
   Time now_{}, over_since_{};
   ros::Time last_feedback_;
   bool over_ = false;
-  std::size_t readings_ = 0, scans_ = 0;  // received, since the last report
+  std::size_t readings_ = 0, scan_count_ = 0;  // received, since the last report
   std::string last_result_ = "nothing calibrated yet";
 
   tf2_ros::Buffer buffer_;
@@ -94,7 +98,7 @@ class CalibrationNodelet : public nodelet::Nodelet {
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::Publisher commands_, marker_publisher_;
   std::unique_ptr<EncoderInput> encoders_;
-  ros::Subscriber reflectors_;
+  ros::Subscriber scans_;
   ros::ServiceServer compute_;
   ros::Timer control_timer_;
   ros::WallTimer diagnostics_timer_;

@@ -11,6 +11,13 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 
 namespace falko_slam {
+const EnumNames<EgomotionSource>& egomotion_source_names() {
+  static const EnumNames<EgomotionSource> names = {
+      {name_of(EgomotionSource::kReflectors), EgomotionSource::kReflectors},
+      {name_of(EgomotionSource::kScans), EgomotionSource::kScans}};
+  return names;
+}
+
 const EnumNames<TricycleModel>& tricycle_model_names() {
   static const EnumNames<TricycleModel> names = {{"asymmetric", TricycleModel::kAsymmetric},
                                                  {"standard", TricycleModel::kStandard}};
@@ -42,6 +49,7 @@ void validate(const CalibrationNodeParams& params) {
     if (frame->empty()) throw std::invalid_argument("odom_frame and base_frame must have names");
   }
   validate(params.session);
+  validate(params.scan);
 }
 
 CalibrationNodeParams read_calibration_node_params(const XmlRpc::XmlRpcValue& tree,

@@ -35,6 +35,7 @@ class SessionDrive {
   void step() {
     session_.add(vehicle_.reading());
     if (sees && periods_++ % 5 == 0) session_.add(observation());
+    session_.catch_up();
     command = session_.next(vehicle_.time());
     vehicle_.drive(std::chrono::milliseconds(25), command);
   }

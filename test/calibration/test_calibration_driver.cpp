@@ -111,7 +111,7 @@ TEST_F(Driven, HaltsWhenScansAreLost) {
   drive_on_arc();
   scans_ = false;
   drive(1.1);
-  expect_halted_at_once("no scans with reflectors");
+  expect_halted_at_once("no scans that show anything");
 }
 
 TEST_F(Driven, HaltsWhereTheAreaEnds) {

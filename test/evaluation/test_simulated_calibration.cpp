@@ -102,7 +102,7 @@ TEST(SimulatedCalibration, SaysWhyADriveWasAborted) {
   SegmentRecorderParams recorder;
   recorder.tricycle = scenario.vehicle.nominal;
   const auto drive = drive_calibration(scenario, plan, recorder, 1);
-  EXPECT_EQ(drive.trouble, "no scans with reflectors");
+  EXPECT_EQ(drive.trouble, "no scans that show anything");
   EXPECT_TRUE(drive.segments.empty());
 }
 

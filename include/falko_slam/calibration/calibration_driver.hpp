@@ -18,7 +18,7 @@ struct CalibrationDriverParams {
   TricycleParams tricycle;  ///< as it is believed to be
   EncoderParams encoders;
   double encoder_timeout = 0.3;       ///< readings older than this are lost [s], [0.01, 10]
-  double scan_timeout = 1.0;          ///< the same of scans with reflectors [s], [0.01, 60]
+  double scan_timeout = 1.0;          ///< the same of scans that show something [s], [0.01, 60]
   double steering_tolerance = 0.005;  ///< at which the wheel counts as steered [rad], [1e-5, 0.2]
   double motion_timeout = 5.0;        ///< steered, started or halted within this [s], [0.1, 60]
   double braking = 0.2;               ///< that the vehicle can surely do [m/s^2], [0.01, 10]
@@ -50,7 +50,8 @@ class CalibrationDriver {
 
   /// Ticks of the wheel since the reading before.
   std::int32_t add(const EncoderReading& reading);
-  void add_scan(Time stamp, std::size_t reflectors);
+  /// What was seen: reflectors or valid beams; scans that show nothing are none.
+  void add_scan(Time stamp, std::size_t seen);
 
   /// The command for the period that begins now.
   WheelCommand next(Time now);

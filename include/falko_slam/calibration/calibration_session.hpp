@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,16 +32,20 @@ struct SessionArc {
   std::optional<Eigen::Vector3d> residual;
 };
 
+class SegmentWorker;
+
 /// A calibration from its first command to its result: the driver leads, the recorder cuts the
-/// drive into arcs, and what they say is told arc by arc. Readings and observations come in as with
-/// both; not thread-safe.
+/// drive into arcs in a thread of its own, and what they say is told arc by arc. Readings and
+/// observations come in as with both; calls must come one after the other.
 class CalibrationSession {
  public:
   /// Throws std::invalid_argument if a parameter is none, or the plan needs more than the area.
   explicit CalibrationSession(const CalibrationSessionParams& params);
+  ~CalibrationSession();
 
   void add(const EncoderReading& reading);
   void add(const ReflectorObservation& observation);
+  void add(const ScanObservation& observation);
 
   /// The command for the control period that begins now. Halts if the calibration is over.
   WheelCommand next(Time now);
@@ -52,7 +57,9 @@ class CalibrationSession {
   bool over() const { return driver_.done() || !driver_.reason().empty(); }
   /// The wheel has not moved for so long, or nobody can say whether it has.
   bool stands(Time now, Duration since) const;
-  /// What has been driven so far, the arc at the end when its halt is over.
+  /// Waits until all that came in has been looked at.
+  void catch_up();
+  /// What has been driven so far, the arc at the end when its halt is over: as of the last command.
   const std::vector<SessionArc>& arcs() const { return arcs_; }
 
   /// The calibration from all arcs so far. Throws std::invalid_argument as calibrate() does.
@@ -63,7 +70,7 @@ class CalibrationSession {
 
   CalibrationSessionParams params_;
   CalibrationDriver driver_;
-  SegmentRecorder recorder_;
+  std::unique_ptr<SegmentWorker> worker_;
   std::vector<SessionArc> arcs_;
   std::optional<Time> moved_;  // the last reading with ticks of the wheel
   int bad_arcs_ = 0;

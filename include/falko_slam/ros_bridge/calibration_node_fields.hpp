@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "falko_slam/features/feature_extractor_fields.hpp"
 #include "falko_slam/ros_bridge/calibration_node_params.hpp"
 
 namespace falko_slam {
@@ -59,6 +60,7 @@ void visit_calibration_node_fields(Params& params, Visitor& visitor) {
   visitor.field("feedback_period", params.feedback_period);
   visitor.field("odom_frame", params.odom_frame);
   visitor.field("base_frame", params.base_frame);
+  visitor.choice("egomotion", params.session.recorder.egomotion, egomotion_source_names());
   visitor.choice("model", params.session.calibrator.model, tricycle_model_names());
   visitor.field("free_wheelbase", params.session.calibrator.free_wheelbase);
   visitor.field("free_steer_gain", params.session.calibrator.free_steer_gain);
@@ -71,6 +73,7 @@ void visit_calibration_node_fields(Params& params, Visitor& visitor) {
   group("vehicle", [&] { visit_vehicle_fields(params.vehicle, visitor); });
   group("arcs", [&] { visit_plan_fields(session.plan, visitor); });
   group("driving", [&] { visit_driver_fields(session, visitor); });
+  group("scan", [&] { visit_scan_fields(params.scan, visitor); });
   group("segments", [&] { visit_segment_fields(session.recorder, visitor); });
   group("noise", [&] { visit_noise_fields(session.calibrator.noise, visitor); });
 }

@@ -10,9 +10,11 @@
 #include "falko_slam/calibration/calibration_session.hpp"
 #include "falko_slam/common/enum_names.hpp"
 #include "falko_slam/ros_bridge/vehicle_params.hpp"
+#include "falko_slam/sensor/scan_normalizer.hpp"
 
 namespace falko_slam {
 
+const EnumNames<EgomotionSource>& egomotion_source_names();
 const EnumNames<TricycleModel>& tricycle_model_names();
 /// Throws std::invalid_argument that lists the names.
 TricycleModel tricycle_model_of(const std::string& name);
@@ -20,6 +22,7 @@ TricycleModel tricycle_model_of(const std::string& name);
 /// Parameters of the Calibration node, config/calibration.yaml.
 struct CalibrationNodeParams {
   CalibrationSessionParams session;
+  ScanNormalizerParams scan;  ///< where egomotion is from scans
   VehicleParams vehicle;
   double control_period = 0.05;     ///< [s]
   double feedback_period = 0.5;     ///< [s]
