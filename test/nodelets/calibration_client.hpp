@@ -9,6 +9,7 @@
 #include <falko_slam/TricycleEncoders.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -51,12 +52,12 @@ class CalibrationClient {
   }
   State state() { return action_.getState(); }
   CalibrateResult result() { return *action_.getResult(); }
+  /// It is, or has been since the goal was sent.
   bool in_stage(const std::string& stage, int arc) {
-    return spin_until(
-        [&] {
-          return !feedback.empty() && feedback.back().stage == stage && feedback.back().arc == arc;
-        },
-        40.0);
+    const auto there = [&](const CalibrateFeedback& told) {
+      return told.stage == stage && told.arc == arc;
+    };
+    return spin_until([&] { return std::any_of(feedback.begin(), feedback.end(), there); }, 40.0);
   }
   ComputeCalibration::Response compute(ComputeCalibration::Request request = {}) {
     ComputeCalibration call;
