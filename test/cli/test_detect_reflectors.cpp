@@ -26,7 +26,7 @@ world:
 - wall: [[-8, -6], [9, -6], [9, 7], [-8, 7]]
   closed: true
 - reflector: {at: [5, 1]}
-- reflector: {at: [-3, 4]}
+- reflector: {at: [-3, 3]}
 - reflector: {at: [2, -5]}
 drive:
 - wait: {seconds: 2}
@@ -53,7 +53,7 @@ TEST_F(DetectReflectors, ListsThemForEveryScan) {
     ASSERT_EQ(scan.at("reflectors").size(), 3U);
     for (const json& reflector : scan.at("reflectors")) {
       const double x = reflector.at("x").get<double>(), y = reflector.at("y").get<double>();
-      const double nearest = std::min({std::hypot(x - 5.0, y - 1.0), std::hypot(x + 3.0, y - 4.0),
+      const double nearest = std::min({std::hypot(x - 5.0, y - 1.0), std::hypot(x + 3.0, y - 3.0),
                                        std::hypot(x - 2.0, y + 5.0)});
       EXPECT_LT(nearest, 0.04);
       EXPECT_NEAR(reflector.at("range").get<double>(), std::hypot(x, y), 1e-9);

@@ -9,9 +9,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "falko_slam/common/whole_file.hpp"
 #include "falko_slam/ros_bridge/bag_file.hpp"
 #include "support/carmen_lines.hpp"
-#include "support/command.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {
@@ -81,7 +81,7 @@ TEST_F(ReadScans, UnpacksABag) {
 TEST_F(ReadScans, NamesAPackedBagThatIsDamaged) {
   write_bag({"scan"});
   const std::string whole = folder_.write("whole.bag.gz", bytes());
-  std::string packed = test::whole_file(whole);
+  std::string packed = read_whole_file(whole);
   packed[packed.size() / 2] = static_cast<char>(~packed[packed.size() / 2]);
   for (const std::string& path :
        {write_bytes("damaged.bag.gz", packed), write_bytes("cut.bag.gz", packed.substr(0, 100)),
