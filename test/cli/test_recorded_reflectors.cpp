@@ -5,7 +5,9 @@
 // Krithigha24 (Reflector-Calibration).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <string>
 
 #include "falko_slam/features/reflector_detector.hpp"
 #include "falko_slam/ros_bridge/scan_recording.hpp"
