@@ -11,6 +11,7 @@
 #include "console.hpp"
 #include "falko_slam/features/feature_extractor.hpp"
 #include "falko_slam/ros_bridge/scan_recording.hpp"
+#include "reflector_run.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -21,6 +22,9 @@ struct DetectOptions {
   std::string topic;
   std::string json;
   FeatureExtractorParams params;
+  bool reflectors = false;
+  bool flat = false;
+  ReflectorDetectorParams detector;
 };
 
 // What a run has seen so far.
@@ -97,17 +101,45 @@ void detect(const DetectOptions& options) {
   if (!options.json.empty()) write_json(options.json, tally.list);
 }
 
+void detect_reflectors_of(const DetectOptions& options) {
+  ReflectorRunOptions run{options.recording, options.topic, options.json, options.params.scan,
+                          options.detector};
+  if (options.flat) run.detector.shape = ReflectorDetectorParams::Shape::kFlat;
+  detect_reflectors(run);
+}
+
+void add_reflector_options(CLI::App& verb, DetectOptions& options) {
+  CLI::Option* reflectors = verb.add_flag("--reflectors", options.reflectors,
+                                          "reflectors instead, from the intensities of the scans");
+  verb.add_option("--diameter", options.detector.diameter,
+                  "of the cylinders, or width of the strips [m], default 0.08")
+      ->check(number_in(0.01, 1.0))
+      ->needs(reflectors);
+  verb.add_flag("--flat", options.flat, "the reflectors are flat strips")->needs(reflectors);
+  verb.add_option("--threshold", options.detector.threshold,
+                  "intensity that a reflector exceeds; default: learnt from the scans")
+      ->check(number_in(0.0, 1e9))
+      ->needs(reflectors);
+  verb.add_option("--memory", options.detector.memory,
+                  "scans over which is learnt, 0: each by itself, default 100")
+      ->check(CLI::Range(0, 1000000))
+      ->needs(reflectors);
+}
+
 }  // namespace
 
 void add_detect(CLI::App& app) {
   auto options = std::make_shared<DetectOptions>();
-  CLI::App* verb = app.add_subcommand("detect", "FALKO keypoints of all scans of a recording");
-  verb->add_option("recording", options->recording, "CARMEN log (.gz, .bz2) or ROS bag")
+  CLI::App* verb =
+      app.add_subcommand("detect", "FALKO keypoints, or reflectors, of all scans of a recording");
+  verb->add_option("recording", options->recording, "CARMEN log or ROS bag (.gz, .bz2)")
       ->required();
   verb->add_option("--topic", options->topic, "LaserScan topic of the bag; default: its only one");
-  verb->add_option("--json", options->json, "write the keypoints of every scan; - for the console");
+  verb->add_option("--json", options->json, "write what is found in every scan; - for the console");
   verb->add_flag("--upside-down", options->params.scan.upside_down, "the laser hangs upside down");
-  verb->callback([options] { detect(*options); });
+  add_reflector_options(*verb, *options);
+  verb->callback(
+      [options] { options->reflectors ? detect_reflectors_of(*options) : detect(*options); });
 }
 
 }  // namespace cli

@@ -12,15 +12,17 @@
 
 #include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 #include "falko_slam/sensor/carmen_log.hpp"
+#include "packed_bag.hpp"
 #include "recording_topics.hpp"
 
 namespace falko_slam {
 namespace {
 
-std::string read_bag(const std::string& path, const std::string& wanted,
+// `path`: as it stands in messages.
+std::string read_bag(const std::string& file, const std::string& path, const std::string& wanted,
                      const std::function<void(const RawScan&)>& use) {
   try {
-    rosbag::Bag bag(path);
+    rosbag::Bag bag(file);
     const std::string topic = scan_topic(bag, path, wanted);
     std::size_t count = 0;
     rosbag::View view(bag, rosbag::TopicQuery(topic));
@@ -51,7 +53,11 @@ std::string read_log(const std::string& path, const std::function<void(const Raw
 
 std::string read_scans(const std::string& path, const std::string& topic,
                        const std::function<void(const RawScan&)>& use) {
-  return is_bag(path) ? read_bag(path, topic, use) : read_log(path, use);
+  if (is_packed_bag(path)) {
+    const UnpackedBag unpacked(path);
+    return read_bag(unpacked.path(), path, topic, use);
+  }
+  return is_bag(path) ? read_bag(path, path, topic, use) : read_log(path, use);
 }
 
 }  // namespace falko_slam

@@ -13,7 +13,10 @@
 #include "falko_slam/features/falko.hpp"
 #include "falko_slam/features/flirt.hpp"
 #include "falko_slam/features/orthogonal_corner.hpp"
+#include "falko_slam/features/reflector_detector.hpp"
+#include "falko_slam/simulation/scenario_file.hpp"
 #include "recorded_scans.hpp"
+#include "support/reflector_worlds.hpp"
 
 namespace falko_slam {
 namespace {
@@ -86,6 +89,31 @@ void describe_keypoints(benchmark::State& state) {
   set_counters(state, described);
 }
 
+// 1440 beams, from the aisle across the shipped warehouse.
+std::vector<LaserScan> warehouse_scans() {
+  const Scenario scenario = read_scenario(FALKO_SLAM_SOURCE_DIR "/config/scenarios/warehouse.yaml");
+  std::mt19937_64 random(1);
+  std::vector<LaserScan> scans;
+  for (double x = 8.0; x < 50.0; x += 1.0) {
+    scans.push_back(test::look_at(scenario.world, {x, 6.5, 0.1 * x}, scenario.laser, random));
+  }
+  return scans;
+}
+
+void detect_reflectors(benchmark::State& state) {
+  const std::vector<LaserScan> scans = warehouse_scans();
+  ReflectorDetector detector;
+  std::vector<Reflector> found;
+  std::size_t count = 0;
+  for_each_scan(state, scans.size(), [&](std::size_t i) {
+    detector.detect(scans[i], found);
+    count += found.size();
+  });
+  state.counters["reflectors"] =
+      benchmark::Counter(static_cast<double>(count), benchmark::Counter::kAvgIterations);
+}
+
+BENCHMARK(detect_reflectors)->Name("reflectors")->Unit(benchmark::kMicrosecond);
 BENCHMARK_TEMPLATE(detect, FalkoDetector)
     ->Name("FALKO")
     ->Arg(180)

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "falko_slam/common/whole_file.hpp"
 #include "falko_slam/ros_bridge/bag_file.hpp"
 #include "support/carmen_lines.hpp"
 #include "support/temporary_folder.hpp"
@@ -68,6 +69,27 @@ TEST_F(ReadScans, TakesTheOnlyTopicOfScans) {
   write_bag({"scan"});
   EXPECT_EQ(read(bag_), "2 scans on /scan");
   EXPECT_EQ(stamps_, (std::vector<double>{1.0, 2.0}));
+}
+
+TEST_F(ReadScans, UnpacksABag) {
+  write_bag({"scan"});
+  for (const std::string name : {"packed.bag.gz", "packed.bag.bz2"}) {
+    EXPECT_EQ(read(folder_.write(name, bytes())), "2 scans on /scan");
+  }
+}
+
+TEST_F(ReadScans, NamesAPackedBagThatIsDamaged) {
+  write_bag({"scan"});
+  const std::string whole = folder_.write("whole.bag.gz", bytes());
+  std::string packed = read_whole_file(whole);
+  packed[packed.size() / 2] = static_cast<char>(~packed[packed.size() / 2]);
+  for (const std::string& path :
+       {write_bytes("damaged.bag.gz", packed), write_bytes("cut.bag.gz", packed.substr(0, 100)),
+        write_bytes("none.bag.bz2", "no bag"), folder_.file("missing.bag.gz")}) {
+    EXPECT_EQ(error_of(path).find(path + ": "), 0U) << error_of(path);
+  }
+  EXPECT_NE(error_of(folder_.write("other.bag.gz", "no bag")).find("other.bag.gz: "),
+            std::string::npos);
 }
 
 TEST_F(ReadScans, TakesTheTopicAskedForWithOrWithoutItsSlash) {

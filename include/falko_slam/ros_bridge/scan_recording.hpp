@@ -9,9 +9,9 @@
 
 namespace falko_slam {
 
-/// Hands over the scans of a recording in its order: of a ROS bag (ending in .bag) the LaserScan
-/// messages of `topic`, of any other file those of a CARMEN log. The scan is valid during the call
-/// only. Returns a line about what was read.
+/// Hands over the scans of a recording in its order: of a ROS bag (ending in .bag, .bag.gz or
+/// .bag.bz2) the LaserScan messages of `topic`, of any other file those of a CARMEN log. The scan
+/// is valid during the call only. Returns a line about what was read.
 ///
 /// An empty topic means the only one of type LaserScan. Throws std::runtime_error that names the
 /// file, and the topics in the bag if the one asked for is not there or not the only one.
