@@ -9,6 +9,8 @@ namespace falko_slam {
 namespace {
 
 constexpr std::size_t kMostRivals = 64;
+constexpr std::size_t kSeeds = 8;
+constexpr std::size_t kNoPair = static_cast<std::size_t>(-1);
 
 // What a standard normal variable stays below with this probability.
 double normal_quantile(double probability) {
@@ -63,6 +65,9 @@ class Search {
         gates_(joint_gates(params.joint_probability, branches_.size())) {}
 
   JointSelection run() {
+    for (std::size_t i = 0; i < std::min(kSeeds, branches_.size()); ++i) {
+      if (most_ < branches_.size()) grow_from(i);
+    }
     descend(0, 0.0);
     JointSelection selection;
     selection.proven = nodes_ <= params_.max_nodes;
@@ -93,6 +98,51 @@ class Search {
     return possible < most_ || (possible == most_ && distance > least_ + params_.ambiguity);
   }
 
+  bool fits(std::size_t count, double before, double joint) const {
+    return joint <= gates_[count + 1] && joint - before <= params_.step_gate;
+  }
+
+  // A first set to prune by: all that fits to one pair, were it right. Without it the search lies
+  // for long below a wrong pair at its root.
+  void grow_from(std::size_t seed) {
+    if (nodes_ + 2 * static_cast<int>(branches_.size()) > params_.max_nodes) return;
+    nodes_ += 2 * static_cast<int>(branches_.size());
+    std::vector<std::size_t> found(branches_.size(), kNoPair);
+    double distance = distance_.with(0, found[seed] = branches_[seed].pairs.front());
+    std::size_t count = 1;
+    taken_[all_.pairs[found[seed]].landmark] = true;
+    for (std::size_t i = 0; i < branches_.size(); ++i) {
+      if (i == seed) continue;
+      for (const std::size_t pair : branches_[i].pairs) {
+        if (taken_[all_.pairs[pair].landmark]) continue;
+        const double joint = distance_.with(count, pair);
+        if (!fits(count, distance, joint)) continue;
+        found[i] = pair;
+        taken_[all_.pairs[pair].landmark] = true;
+        distance = joint;
+        ++count;
+        break;
+      }
+    }
+    taken_.assign(taken_.size(), false);
+    keep_in_order(found);
+  }
+
+  // Keeps a set if it is one that the search could come to.
+  void keep_in_order(const std::vector<std::size_t>& found) {
+    double distance = 0.0;
+    bool good = true;
+    for (const std::size_t pair : found) {
+      if (pair == kNoPair || !good) continue;
+      const double joint = distance_.with(chosen_.size(), pair);
+      good = fits(chosen_.size(), distance, joint);
+      distance = joint;
+      chosen_.push_back(pair);
+    }
+    if (good && !hopeless(branches_.size(), distance)) keep(distance);
+    chosen_.clear();
+  }
+
   void descend(std::size_t depth, double distance) {
     if (hopeless(depth, distance)) return;
     if (depth == branches_.size()) return keep(distance);
@@ -101,9 +151,7 @@ class Search {
       if (taken_[landmark]) continue;
       if (++nodes_ > params_.max_nodes) return keep(distance);
       const double joint = distance_.with(chosen_.size(), pair);
-      const bool fits =
-          joint <= gates_[chosen_.size() + 1] && joint - distance <= params_.step_gate;
-      if (!fits) continue;
+      if (!fits(chosen_.size(), distance, joint)) continue;
       taken_[landmark] = true;
       chosen_.push_back(pair);
       descend(depth + 1, joint);
@@ -115,7 +163,7 @@ class Search {
   }
 
   void keep(double distance) {
-    if (chosen_.empty()) return;
+    if (chosen_.empty() || chosen_.size() < most_) return;
     if (chosen_.size() > most_) sets_.clear();
     const bool better = chosen_.size() > most_ || distance < least_;
     most_ = chosen_.size();

@@ -178,6 +178,25 @@ TEST(Associate, RefusesWhatDoesNotFitToTheOthers) {
   }
 }
 
+// Many near strangers, few steps: what is cut short must still be the largest set found.
+TEST(Associate, FindsTheOthersAmongStrangersWithinFewSteps) {
+  std::mt19937_64 random = test::seeded_random();
+  AssociationParams params;
+  params.max_nodes = 500;
+  std::size_t pairs = 0;
+  for (int run = 0; run < 50; ++run) {
+    Scene scene = random_scene(random, 25, 2.0, Model::kCartesian);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double turn = test::uniform(random, -kPi, kPi);
+      scene.observations[i].value += 0.15 * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+    }
+    const auto found = associate(scene.estimate, kLaser, scene.map, scene.observations, params);
+    for (const LandmarkPair& pair : found.pairs) EXPECT_GE(pair.observation, 5U) << run;
+    pairs += found.pairs.size();
+  }
+  EXPECT_GT(pairs, 960U);  // of 1000
+}
+
 TEST(Associate, SaysWhyAnObservationIsNotUsed) {
   const LandmarkIndex map({{8, {5.0, 0.0}, Eigen::Matrix2d::Zero()}});
   LandmarkObservation good{Model::kCartesian, {5.0, 0.0}, kPointNoise, std::nullopt};
