@@ -159,6 +159,12 @@ const char* name_of(ObservationVerdict verdict) {
       return "incompatible";
     case ObservationVerdict::kAmbiguous:
       return "ambiguous";
+    case ObservationVerdict::kTentative:
+      return "tentative";
+    case ObservationVerdict::kAdded:
+      return "added";
+    case ObservationVerdict::kTooNear:
+      return "too near";
   }
   return "?";
 }

@@ -24,7 +24,7 @@ struct AssociationParams {
   /// Greater: more is refused. [0, 1000]
   double ambiguity = 6.0;
   /// Steps of the search for the largest joint set; what it found by then is taken. [1, 1000000]
-  int max_nodes = 2000;
+  int max_nodes = 1000;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const AssociationParams& params);
@@ -37,6 +37,9 @@ enum class ObservationVerdict {
   kNoLandmark,    ///< none inside of its gate, or not the one of its id
   kIncompatible,  ///< one inside, but not together with those of the others
   kAmbiguous,     ///< more than one set of pairs is likely, and they differ here
+  kTentative,     ///< of a landmark that may become one: LandmarkFilter
+  kAdded,         ///< of one that has just become one
+  kTooNear,       ///< of none, but too near to one to tell them apart later
 };
 const char* name_of(ObservationVerdict verdict);
 

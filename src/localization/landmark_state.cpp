@@ -1,0 +1,111 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "landmark_state.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "falko_slam/geometry/angles.hpp"
+
+namespace falko_slam {
+
+LandmarkState::LandmarkState(const PoseEstimate& pose, int most)
+    : most_(most),
+      mean_(Eigen::VectorXd::Zero(3 + 2 * most)),
+      covariance_(Eigen::MatrixXd::Zero(3 + 2 * most, 3 + 2 * most)),
+      slopes_(3 + 2 * most, 2 * most) {
+  mean_.head<3>() << pose.pose.x(), pose.pose.y(), pose.pose.theta();
+  covariance_.topLeftCorner<3, 3>() = pose.covariance;
+}
+
+PoseEstimate LandmarkState::pose() const {
+  return {{mean_[0], mean_[1], mean_[2]}, covariance_.topLeftCorner<3, 3>()};
+}
+
+Eigen::Matrix2d LandmarkState::covariance_of(int landmark) const {
+  const int at = 3 + 2 * landmark;
+  return covariance_.block<2, 2>(at, at);
+}
+
+void LandmarkState::predict(const PoseEstimate& motion) {
+  const PoseEstimate before = pose();
+  const PoseEstimate after = compose(before, motion);
+  const Eigen::Matrix3d G = compose_jacobians(before.pose, motion.pose).dresult_dleft;
+  mean_.head<3>() << after.pose.x(), after.pose.y(), after.pose.theta();
+  covariance_.topLeftCorner<3, 3>() = 0.5 * (after.covariance + after.covariance.transpose());
+  const int rest = 2 * landmarks_;
+  covariance_.block(0, 3, 3, rest) = (G * covariance_.block(0, 3, 3, rest)).eval();
+  covariance_.block(3, 0, rest, 3) = covariance_.block(0, 3, 3, rest).transpose();
+}
+
+void LandmarkState::add(const Eigen::Vector2d& mean,
+                        const Eigen::Matrix<double, 2, 3>& dlandmark_dpose,
+                        const Eigen::Matrix2d& noise) {
+  const int at = size();
+  mean_.segment<2>(at) = mean;
+  const Eigen::MatrixXd cross = dlandmark_dpose * covariance_.topRows<3>().leftCols(at);
+  covariance_.block(at, 0, 2, at) = cross;
+  covariance_.block(0, at, at, 2) = cross.transpose();
+  const Eigen::Matrix2d own = cross.leftCols<3>() * dlandmark_dpose.transpose() + noise;
+  covariance_.block<2, 2>(at, at) = 0.5 * (own + own.transpose());
+  ++landmarks_;
+}
+
+void LandmarkState::remove(int landmark) {
+  const int at = 3 + 2 * landmark, last = size() - 2;
+  if (at != last) {
+    mean_.segment<2>(at) = mean_.segment<2>(last).eval();
+    covariance_.block(at, 0, 2, size()) = covariance_.block(last, 0, 2, size()).eval();
+    covariance_.block(0, at, size(), 2) = covariance_.block(0, last, size(), 2).eval();
+  }
+  --landmarks_;
+}
+
+void LandmarkState::covariance_with(const Row& row, Eigen::Ref<Eigen::MatrixXd> result) const {
+  const int at = 3 + 2 * row.landmark;
+  result.noalias() = covariance_.block(0, 0, size(), 3) * row.dpose.transpose();
+  result.noalias() += covariance_.block(0, at, size(), 2) * row.dlandmark.transpose();
+}
+
+Eigen::Matrix2d LandmarkState::between(const Row& row,
+                                       const Eigen::Ref<const Eigen::MatrixXd>& other) {
+  return row.dpose * other.topRows<3>() + row.dlandmark * other.middleRows<2>(3 + 2 * row.landmark);
+}
+
+Eigen::Matrix2d LandmarkState::innovation_covariance(const Row& row) const {
+  const int at = 3 + 2 * row.landmark;
+  const Eigen::Matrix2d cross =
+      row.dpose * covariance_.block<3, 2>(0, at) * row.dlandmark.transpose();
+  return row.dpose * covariance_.topLeftCorner<3, 3>() * row.dpose.transpose() + cross +
+         cross.transpose() +
+         row.dlandmark * covariance_of(row.landmark) * row.dlandmark.transpose() + row.noise;
+}
+
+double LandmarkState::correct(const std::vector<Row>& rows) {
+  const int n = size(), m = 2 * static_cast<int>(rows.size());
+  auto V = slopes_.topLeftCorner(n, m);
+  Eigen::MatrixXd S(m, m);
+  Eigen::VectorXd innovation(m);
+  for (int i = 0; i < m / 2; ++i) {
+    const Row& row = rows[static_cast<std::size_t>(i)];
+    covariance_with(row, V.middleCols(2 * i, 2));
+    for (int j = 0; j <= i; ++j) {
+      S.block<2, 2>(2 * i, 2 * j) = between(row, V.middleCols(2 * j, 2));
+    }
+    S.block<2, 2>(2 * i, 2 * i) += row.noise;
+    innovation.segment<2>(2 * i) = row.innovation;
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(S);
+  if (factor.info() != Eigen::Success) return -1.0;
+  const Eigen::VectorXd white = factor.matrixL().solve(innovation);
+  factor.matrixU().solveInPlace<Eigen::OnTheRight>(V);
+  const Eigen::VectorXd step = V * white;
+  if (!step.allFinite() || !V.allFinite()) return -1.0;
+  mean_.head(n) += step;
+  mean_[2] = wrap_angle(mean_[2]);
+  auto P = covariance_.topLeftCorner(n, n);
+  P.selfadjointView<Eigen::Lower>().rankUpdate(V, -1.0);
+  P.triangularView<Eigen::StrictlyUpper>() = P.transpose();
+  return white.squaredNorm();
+}
+
+}  // namespace falko_slam
