@@ -68,7 +68,7 @@ class Search {
     for (std::size_t i = 0; i < std::min(kSeeds, branches_.size()); ++i) {
       if (most_ < branches_.size()) grow_from(i);
     }
-    descend(0, 0.0);
+    if (!cannot_have_rivals()) descend(0, 0.0);
     JointSelection selection;
     selection.proven = nodes_ <= params_.max_nodes;
     if (sets_.empty()) return selection;
@@ -125,7 +125,20 @@ class Search {
       }
     }
     taken_.assign(taken_.size(), false);
-    keep_in_order(found);
+    seed == 0 ? keep_found(found, distance) : keep_in_order(found);
+  }
+
+  // One set holds everything, and nothing in it could be paired otherwise.
+  bool cannot_have_rivals() const {
+    return most_ == branches_.size() && most_ == all_.pairs.size();
+  }
+
+  void keep_found(const std::vector<std::size_t>& found, double distance) {
+    for (const std::size_t pair : found) {
+      if (pair != kNoPair) chosen_.push_back(pair);
+    }
+    keep(distance);
+    chosen_.clear();
   }
 
   // Keeps a set if it is one that the search could come to.

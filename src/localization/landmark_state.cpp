@@ -3,6 +3,7 @@
 #include "landmark_state.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "falko_slam/geometry/angles.hpp"
 
@@ -12,7 +13,7 @@ LandmarkState::LandmarkState(const PoseEstimate& pose, int most)
     : most_(most),
       mean_(Eigen::VectorXd::Zero(3 + 2 * most)),
       covariance_(Eigen::MatrixXd::Zero(3 + 2 * most, 3 + 2 * most)),
-      slopes_(3 + 2 * most, 2 * most) {
+      slopes_(3 + 2 * most, 2 * static_cast<int>(kBatch)) {
   mean_.head<3>() << pose.pose.x(), pose.pose.y(), pose.pose.theta();
   covariance_.topLeftCorner<3, 3>() = pose.covariance;
 }
@@ -62,8 +63,12 @@ void LandmarkState::remove(int landmark) {
 
 void LandmarkState::covariance_with(const Row& row, Eigen::Ref<Eigen::MatrixXd> result) const {
   const int at = 3 + 2 * row.landmark;
-  result.noalias() = covariance_.block(0, 0, size(), 3) * row.dpose.transpose();
-  result.noalias() += covariance_.block(0, at, size(), 2) * row.dlandmark.transpose();
+  const int n = size(), below = n - at;
+  result.noalias() = covariance_.block(0, 0, n, 3) * row.dpose.transpose();
+  result.topRows(at).noalias() +=
+      covariance_.block(at, 0, 2, at).transpose() * row.dlandmark.transpose();
+  result.bottomRows(below).noalias() +=
+      covariance_.block(at, at, below, 2) * row.dlandmark.transpose();
 }
 
 Eigen::Matrix2d LandmarkState::between(const Row& row,
@@ -80,31 +85,53 @@ Eigen::Matrix2d LandmarkState::innovation_covariance(const Row& row) const {
          row.dlandmark * covariance_of(row.landmark) * row.dlandmark.transpose() + row.noise;
 }
 
+// Batch by batch, all from the same point of linearisation: the result is that of all at once, but
+// triangular solves stay small.
 double LandmarkState::correct(const std::vector<Row>& rows) {
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(size());
+  double nis = 0.0;
+  for (std::size_t first = 0; first < rows.size(); first += kBatch) {
+    const auto end =
+        rows.begin() + static_cast<std::ptrdiff_t>(std::min(first + kBatch, rows.size()));
+    const double part =
+        correct_batch({rows.begin() + static_cast<std::ptrdiff_t>(first), end}, step);
+    if (part < 0.0) return -1.0;
+    nis += part;
+  }
+  mean_.head(size()) += step;
+  mean_[2] = wrap_angle(mean_[2]);
+  auto P = covariance_.topLeftCorner(size(), size());
+  P.triangularView<Eigen::StrictlyUpper>() = P.transpose();
+  return nis;
+}
+
+// Keeps up the lower triangle and the blocks on the diagonal only.
+double LandmarkState::correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step) {
   const int n = size(), m = 2 * static_cast<int>(rows.size());
   auto V = slopes_.topLeftCorner(n, m);
-  Eigen::MatrixXd S(m, m);
+  Eigen::Matrix<double, 2 * kBatch, 2 * kBatch> space;
+  auto S = space.topLeftCorner(m, m);
   Eigen::VectorXd innovation(m);
-  for (int i = 0; i < m / 2; ++i) {
-    const Row& row = rows[static_cast<std::size_t>(i)];
-    covariance_with(row, V.middleCols(2 * i, 2));
-    for (int j = 0; j <= i; ++j) {
-      S.block<2, 2>(2 * i, 2 * j) = between(row, V.middleCols(2 * j, 2));
+  for (int i = 0; i < m; i += 2) {
+    const Row& row = rows[static_cast<std::size_t>(i / 2)];
+    covariance_with(row, V.middleCols(i, 2));
+    for (int j = 0; j <= i; j += 2) {
+      S.block<2, 2>(i, j) = between(row, V.middleCols(j, 2));
     }
-    S.block<2, 2>(2 * i, 2 * i) += row.noise;
-    innovation.segment<2>(2 * i) = row.innovation;
+    S.block<2, 2>(i, i) += row.noise;
+    innovation.segment<2>(i) = row.innovation - row.dpose * step.head<3>() -
+                               row.dlandmark * step.segment<2>(3 + 2 * row.landmark);
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(S);
   if (factor.info() != Eigen::Success) return -1.0;
   const Eigen::VectorXd white = factor.matrixL().solve(innovation);
   factor.matrixU().solveInPlace<Eigen::OnTheRight>(V);
-  const Eigen::VectorXd step = V * white;
-  if (!step.allFinite() || !V.allFinite()) return -1.0;
-  mean_.head(n) += step;
-  mean_[2] = wrap_angle(mean_[2]);
-  auto P = covariance_.topLeftCorner(n, n);
-  P.selfadjointView<Eigen::Lower>().rankUpdate(V, -1.0);
-  P.triangularView<Eigen::StrictlyUpper>() = P.transpose();
+  if (!V.allFinite() || !white.allFinite()) return -1.0;
+  step.noalias() += V * white;
+  covariance_.topLeftCorner(n, n).selfadjointView<Eigen::Lower>().rankUpdate(V, -1.0);
+  covariance_.topLeftCorner<3, 3>().triangularView<Eigen::StrictlyUpper>() =
+      covariance_.topLeftCorner<3, 3>().transpose();
+  for (int at = 3; at < n; at += 2) covariance_(at, at + 1) = covariance_(at + 1, at);
   return white.squaredNorm();
 }
 

@@ -48,16 +48,19 @@ class LandmarkState {
   /// H P H^T + N of one observation.
   Eigen::Matrix2d innovation_covariance(const Row& row) const;
 
-  /// The normalised innovation squared, or less than zero and nothing changed if the result were
+  /// The normalised innovation squared, or less than zero and the mean as it was if the result were
   /// not finite. With S = L L^T and V = P H^T L^-T: x += V L^-1 nu, P -= V V^T.
   double correct(const std::vector<Row>& rows);
 
  private:
+  static constexpr std::size_t kBatch = 8;
+  double correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step);
+
   int most_;
   int landmarks_ = 0;
   Eigen::VectorXd mean_;
   Eigen::MatrixXd covariance_;
-  Eigen::MatrixXd slopes_;  // P H^T, then V
+  Eigen::MatrixXd slopes_;  // P H^T of a batch, then V
 };
 
 }  // namespace falko_slam

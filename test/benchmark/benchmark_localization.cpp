@@ -1,9 +1,11 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A motion and 30 observations without ids on a fixed map of 1000 landmarks, association included.
+// A motion and 30 observations without ids on a fixed map of 1000 landmarks, and a motion and a
+// scan with 60 landmarks in the state; association included.
 #include <benchmark/benchmark.h>
 
+#include "falko_slam/localization/landmark_filter.hpp"
 #include "localization/landmark_drive.hpp"
 
 namespace falko_slam {
@@ -57,6 +59,39 @@ BENCHMARK_CAPTURE(predict_and_update, range_bearing, ObservationModel::kRangeBea
     ->Arg(0)
     ->Arg(3)
     ->Unit(benchmark::kMicrosecond);
+
+// All 60 landmarks are in the state; so many of them are seen in every scan.
+void step_with_60_landmarks(benchmark::State& state) {
+  std::mt19937_64 random = test::seeded_random();
+  const auto landmarks = test::scattered_landmarks(60, 20.0, 1.0, 0.0, random);
+  const Eigen::Matrix2d noise = test::diagonal(0.01, 0.01);
+  const PoseEstimate motion{{}, pose_covariance(1e-3, 1e-4)};
+  LandmarkFilterParams params;
+  params.hits = 1;
+  params.forget_after = 1000.0;
+  LandmarkFilter filter(params, {{}, pose_covariance(0.01, 0.001)});
+  FeatureObservations scan;
+  for (const Landmark& landmark : landmarks) {
+    scan.points.push_back(
+        test::seen(ObservationModel::kCartesian, {}, {}, landmark.position, noise));
+  }
+  filter.update({}, scan);
+  scan.points.resize(static_cast<std::size_t>(state.range(0)));
+  std::vector<FeatureObservations> scans(50, scan);
+  for (auto& each : scans) {
+    for (auto& point : each.points) point = test::noisy(point, random);
+  }
+  std::size_t number = 0;
+  int degrees = 0;
+  for (auto _ : state) {
+    filter.predict(motion);
+    degrees = filter.update({}, scans[number++ % scans.size()]).degrees_of_freedom;
+  }
+  state.counters["landmarks"] = static_cast<double>(filter.landmarks().size());
+  state.counters["pairs"] = 0.5 * degrees;
+}
+
+BENCHMARK(step_with_60_landmarks)->Arg(20)->Arg(30)->Arg(60)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace falko_slam
