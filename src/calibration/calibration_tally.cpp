@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chi_square_law.hpp"
+#include "falko_slam/common/chi_square.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {

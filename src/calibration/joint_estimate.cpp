@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chi_square_law.hpp"
+#include "falko_slam/common/chi_square.hpp"
 #include "falko_slam/common/validation.hpp"
 #include "noise_mixture.hpp"
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "calibration/arc_drives.hpp"
-#include "chi_square_law.hpp"
+#include "falko_slam/common/chi_square.hpp"
 
 namespace falko_slam {
 namespace {

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "calibration/arc_drives.hpp"
-#include "chi_square_law.hpp"
 #include "falko_slam/calibration/monte_carlo.hpp"
 
 namespace falko_slam {
@@ -132,16 +131,6 @@ TEST(MixtureQuantile, IsThatOfTheNormalDistributionForOne) {
 TEST(MixtureQuantile, LiesBetweenTwo) {
   EXPECT_NEAR(mixture_quantile({0.5, 0.5}, {-1.0, 1.0}, {1.0, 1.0}, 0.5), 0.0, 1e-9);
   EXPECT_NEAR(mixture_quantile({0.9, 0.1}, {0.0, 0.0}, {1.0, 10.0}, 0.5), 0.0, 1e-9);
-}
-
-// \cite abramowitz1964, table 26.8.
-TEST(ChiSquareLaw, HasTheBoundsOfTheTables) {
-  EXPECT_NEAR(chi_square_bound(0.05, 1), 3.84146, 1e-5);
-  EXPECT_NEAR(chi_square_bound(0.001, 3), 16.266, 1e-3);
-  EXPECT_NEAR(chi_square_bound(0.95, 10), 3.94030, 1e-5);
-  EXPECT_NEAR(chi_square_bound(0.01, 100), 135.807, 1e-3);
-  EXPECT_NEAR(chi_square_tail(2.0, 2), std::exp(-1.0), 1e-14);
-  EXPECT_EQ(chi_square_tail(0.0, 5), 1.0);
 }
 
 }  // namespace

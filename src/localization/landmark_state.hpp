@@ -1,0 +1,66 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "falko_slam/geometry/pose_estimate.hpp"
+
+namespace falko_slam {
+
+/// Mean and covariance of a pose (x, y, theta) and of landmarks of two numbers each, in one matrix
+/// that is allocated once. Landmark i is at 3 + 2 i.
+class LandmarkState {
+ public:
+  LandmarkState(const PoseEstimate& pose, int most);
+
+  int landmarks() const { return landmarks_; }
+  int most() const { return most_; }
+  int size() const { return 3 + 2 * landmarks_; }
+  PoseEstimate pose() const;
+  Eigen::Vector2d mean_of(int landmark) const { return mean_.segment<2>(3 + 2 * landmark); }
+  Eigen::Matrix2d covariance_of(int landmark) const;
+  auto covariance() const { return covariance_.topLeftCorner(size(), size()); }
+
+  /// Moves the pose; landmarks stay.
+  void predict(const PoseEstimate& motion);
+
+  /// A landmark l = g(pose, z) with its slopes and the noise of z. There must be room.
+  void add(const Eigen::Vector2d& mean, const Eigen::Matrix<double, 2, 3>& dlandmark_dpose,
+           const Eigen::Matrix2d& noise);
+
+  /// Marginalises it; the last landmark takes its place.
+  void remove(int landmark);
+
+  /// What an observation of a landmark changes with: z = h + Hq dq + Hl dl.
+  struct Row {
+    int landmark = 0;
+    Eigen::Matrix<double, 2, 3> dpose;
+    Eigen::Matrix2d dlandmark;
+    Eigen::Vector2d innovation;
+    Eigen::Matrix2d noise;
+  };
+  /// P H^T of one observation, all rows of the state.
+  void covariance_with(const Row& row, Eigen::Ref<Eigen::MatrixXd> result) const;
+  /// H (P H'^T) from that of another one.
+  static Eigen::Matrix2d between(const Row& row, const Eigen::Ref<const Eigen::MatrixXd>& other);
+  /// H P H^T + N of one observation.
+  Eigen::Matrix2d innovation_covariance(const Row& row) const;
+
+  /// The normalised innovation squared, or less than zero and the mean as it was if the result were
+  /// not finite. With S = L L^T and V = P H^T L^-T: x += V L^-1 nu, P -= V V^T.
+  double correct(const std::vector<Row>& rows);
+
+ private:
+  static constexpr std::size_t kBatch = 8;
+  double correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step);
+
+  int most_;
+  int landmarks_ = 0;
+  Eigen::VectorXd mean_;
+  Eigen::MatrixXd covariance_;
+  Eigen::MatrixXd slopes_;  // P H^T of a batch, then V
+};
+
+}  // namespace falko_slam

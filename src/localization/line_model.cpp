@@ -1,0 +1,41 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/localization/line_model.hpp"
+
+#include <cmath>
+
+#include "covariance_check.hpp"
+#include "falko_slam/geometry/angles.hpp"
+
+namespace falko_slam {
+
+bool is_usable(const LineObservation& observation) {
+  return observation.value.allFinite() && observation.value.y() > 0.0 &&
+         observation.middle.allFinite() && std::isfinite(observation.half_length) &&
+         observation.half_length > 0.0 && is_positive_definite(observation.covariance);
+}
+
+LinePrediction predict_line(const Pose2& map_T_base, const Pose2& base_T_laser,
+                            const MapLine& line) {
+  const Pose2 map_T_laser = map_T_base * base_T_laser;
+  const Eigen::Vector2d normal(std::cos(line.angle), std::sin(line.angle));
+  const Eigen::Vector2d along(-normal.y(), normal.x());  // dn/dangle
+  const Eigen::Vector2d way = map_T_laser.translation() - line.anchor;
+  const Eigen::Vector2d lever = map_T_laser.translation() - map_T_base.translation();
+  LinePrediction prediction;
+  prediction.value << wrap_angle(line.angle - map_T_laser.theta()), line.offset - normal.dot(way);
+  prediction.dvalue_dpose << 0.0, 0.0, -1.0,  //
+      -normal.x(), -normal.y(), normal.x() * lever.y() - normal.y() * lever.x();
+  prediction.dvalue_dline << 1.0, 0.0,  //
+      -along.dot(way), 1.0;
+  return prediction;
+}
+
+MapLine line_in_map(const Pose2& map_T_base, const Pose2& base_T_laser,
+                    const LineObservation& observation) {
+  const Pose2 map_T_laser = map_T_base * base_T_laser;
+  return {wrap_angle(observation.value.x() + map_T_laser.theta()), observation.value.y(),
+          map_T_laser.translation()};
+}
+
+}  // namespace falko_slam
