@@ -43,14 +43,14 @@ std::int64_t number_in(const LineReader& reader, const std::string& word, const 
   return value;
 }
 
-Landmark landmark_of(const LineReader& reader, const std::vector<std::string>& words,
-                     double deviation) {
+MapLandmark landmark_of(const LineReader& reader, const std::vector<std::string>& words,
+                        double deviation) {
   if (words.size() < kFewestColumns) reader.fail(std::string("must be ") + kColumns);
   const auto number = [&](std::size_t column, const char* name, std::int64_t min,
                           std::int64_t max) {
     return static_cast<int>(number_in(reader, words[column], name, min, max));
   };
-  Landmark landmark;
+  MapLandmark landmark;
   landmark.id = number(0, "globID", 0, kMostId);
   landmark.position.x() = kMillimetre * number(1, "x_mm", -kFar, kFar);
   landmark.position.y() = kMillimetre * number(2, "y_mm", -kFar, kFar);
@@ -68,7 +68,7 @@ Landmark landmark_of(const LineReader& reader, const std::vector<std::string>& w
 
 std::int64_t millimetres(double metres) { return std::llround(metres / kMillimetre); }
 
-std::string line_of(const Landmark& landmark) {
+std::string line_of(const MapLandmark& landmark) {
   std::ostringstream line;
   line << landmark.id << ' ' << millimetres(landmark.position.x()) << ' '
        << millimetres(landmark.position.y()) << ' ' << landmark.layout.type << ' '

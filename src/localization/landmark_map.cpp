@@ -22,7 +22,7 @@ bool is_covariance(const Eigen::Matrix2d& c) {
   return c(0, 1) * c(0, 1) <= c(0, 0) * c(1, 1) * (1.0 + kRounding);
 }
 
-void validate(const Landmark& landmark) {
+void validate(const MapLandmark& landmark) {
   require_in_range("id", landmark.id, 0, kMostLandmarkId);
   require_in_range("position.x", landmark.position.x(), -kFarthestLandmark, kFarthestLandmark);
   require_in_range("position.y", landmark.position.y(), -kFarthestLandmark, kFarthestLandmark);
@@ -38,9 +38,9 @@ void validate(const Landmark& landmark) {
   for (const int layer : layout.layers) require_in_range("layers", layer, 0, kMostLayer);
 }
 
-const Landmark* LandmarkMap::find(int id) const {
+const MapLandmark* LandmarkMap::find(int id) const {
   const auto found = std::find_if(landmarks.begin(), landmarks.end(),
-                                  [id](const Landmark& landmark) { return landmark.id == id; });
+                                  [id](const MapLandmark& landmark) { return landmark.id == id; });
   return found == landmarks.end() ? nullptr : &*found;
 }
 

@@ -29,7 +29,7 @@ std::string list_of(const std::vector<int>& numbers) {
   return "[" + text + "]";
 }
 
-std::string line_of(const Landmark& landmark) {
+std::string line_of(const MapLandmark& landmark) {
   const Eigen::Matrix2d& c = landmark.covariance;
   std::string text = "- {id: " + std::to_string(landmark.id) +
                      ", kind: " + name_of(landmark.kind, landmark_kind_names()) + ", position: [" +
@@ -59,9 +59,9 @@ void read_layout(const YamlFields& fields, ReflectorLayout& layout) {
   if (layout.layers.empty()) layers->fail("must have at least one");
 }
 
-Landmark landmark_in(const YamlValue& value) {
+MapLandmark landmark_in(const YamlValue& value) {
   const YamlFields fields(value);
-  Landmark landmark;
+  MapLandmark landmark;
   landmark.id = static_cast<int>(fields.at("id").integer(0, kMostLandmarkId));
   landmark.kind = fields.at("kind").choice(landmark_kind_names());
   const auto position = fields.at("position").numbers(2, {-kFarthestLandmark, kFarthestLandmark});
@@ -88,7 +88,7 @@ void write_landmark_map(const std::string& path, const LandmarkMap& map) {
       "# A map of landmarks of falko_slam, in metres; covariance: [xx, xy, yy].\n"
       "landmark_map_version: " +
       std::to_string(kVersion) + "\nlandmarks:\n";
-  for (const Landmark& landmark : map.landmarks) text += line_of(landmark);
+  for (const MapLandmark& landmark : map.landmarks) text += line_of(landmark);
   text += "complete: true\n";
   if (text.size() > kMostBytes) {
     throw std::invalid_argument("landmarks: " + std::to_string(map.landmarks.size()) +

@@ -41,14 +41,14 @@ TEST_F(ImkFile, IsReadInMetres) {
       "1 14740 -4211 1 2 60 0\r\n"
       "  12\t-8977\t+11527\t1\t1\t80\t0\t7\n");
   ASSERT_EQ(map.landmarks.size(), 2U);
-  const Landmark& first = map.landmarks[0];
+  const MapLandmark& first = map.landmarks[0];
   EXPECT_EQ(first.id, 1);
   EXPECT_EQ(first.kind, LandmarkKind::kReflector);
   EXPECT_TRUE(first.position.isApprox(Eigen::Vector2d(14.740, -4.211), 1e-12));
   EXPECT_TRUE(first.covariance.isApprox(1e-4 * Eigen::Matrix2d::Identity(), 1e-12));
   EXPECT_DOUBLE_EQ(first.layout.diameter, 0.060);
   EXPECT_EQ(first.layout.subtype, 2);
-  const Landmark& second = map.landmarks[1];
+  const MapLandmark& second = map.landmarks[1];
   EXPECT_TRUE(second.position.isApprox(Eigen::Vector2d(-8.977, 11.527), 1e-12));
   EXPECT_EQ(second.layout.layers, (std::vector<int>{0, 7}));
 }

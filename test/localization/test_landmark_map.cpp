@@ -16,14 +16,14 @@ namespace {
 
 LandmarkMap a_map() {
   LandmarkMap map;
-  Landmark reflector;
+  MapLandmark reflector;
   reflector.id = 7;
   reflector.position = {14.74, -1.0 / 3.0};
   reflector.covariance << 1e-4, -2e-5, -2e-5, 4e-4;
   reflector.hits = 12;
   reflector.name = "gate \"3\", c:\\left # one";
   reflector.layout = {0.06, 1, 2, {0, 3}};
-  Landmark corner;
+  MapLandmark corner;
   corner.id = 0;
   corner.kind = LandmarkKind::kFeature;
   corner.position = {-2.0, 1e-7};

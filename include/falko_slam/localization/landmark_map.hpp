@@ -21,7 +21,8 @@ struct ReflectorLayout {
   std::vector<int> layers = {0};  ///< the same; at least one
 };
 
-struct Landmark {
+/// A landmark with all that a map keeps of it; a filter needs Landmark only.
+struct MapLandmark {
   int id = 0;  ///< not negative; no two in a map have the same
   LandmarkKind kind = LandmarkKind::kReflector;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in the map [m]
@@ -32,10 +33,10 @@ struct Landmark {
 };
 
 struct LandmarkMap {
-  std::vector<Landmark> landmarks;
+  std::vector<MapLandmark> landmarks;
 
   /// Null if there is none.
-  const Landmark* find(int id) const;
+  const MapLandmark* find(int id) const;
 };
 
 /// Throws std::invalid_argument, "landmarks[2].hits = -1: must be in [0, 1000000000]", for what no
