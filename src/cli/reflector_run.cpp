@@ -29,7 +29,7 @@ struct Tally {
   nlohmann::json list = nlohmann::json::array();
 };
 
-nlohmann::json as_json(const Reflector& reflector, const LaserScan& scan, Time stamp) {
+nlohmann::json as_json(const DetectedReflector& reflector, const LaserScan& scan, Time stamp) {
   const Eigen::Vector2d& center = reflector.center;
   const Eigen::Matrix2d& covariance = reflector.covariance;
   return {{"x", center.x()},
@@ -77,7 +77,7 @@ class ReflectorRun {
  private:
   void add_json(Time stamp) {
     nlohmann::json reflectors = nlohmann::json::array();
-    for (const Reflector& reflector : found_) {
+    for (const DetectedReflector& reflector : found_) {
       reflectors.push_back(as_json(reflector, scan_, stamp));
     }
     tally.list.push_back(
@@ -87,7 +87,7 @@ class ReflectorRun {
   const ReflectorRunOptions& options_;
   ReflectorDetector detector_;
   LaserScan scan_;
-  std::vector<Reflector> found_;
+  std::vector<DetectedReflector> found_;
 };
 
 void print_times(std::vector<double> times) {

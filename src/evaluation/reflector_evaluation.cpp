@@ -76,7 +76,7 @@ class ReflectorComparison {
     result_.reported += scan.reflectors.size();
     std::vector<std::optional<Eigen::Vector2d>> reported = errors_of(scan.reflectors);
     std::vector<bool> seen(reflectors_.size());
-    for (const Reflector& found : found_) judge(found, reported, seen);
+    for (const DetectedReflector& found : found_) judge(found, reported, seen);
     for (std::size_t i = 0; i < reported.size(); ++i) {
       if (reported[i] && !seen[i]) ++result_.missed;
     }
@@ -119,8 +119,8 @@ class ReflectorComparison {
     return errors;
   }
 
-  void judge(const Reflector& found, const std::vector<std::optional<Eigen::Vector2d>>& reported,
-             std::vector<bool>& seen) {
+  void judge(const DetectedReflector& found,
+             const std::vector<std::optional<Eigen::Vector2d>>& reported, std::vector<bool>& seen) {
     const auto truth = truth_near(found.center, found.time);
     if (!truth) {
       ++result_.strangers;
@@ -150,7 +150,7 @@ class ReflectorComparison {
   TrajectoryIndex poses_{Trajectory()};
   Time begin_{};
   LaserScan scan_;
-  std::vector<Reflector> found_;
+  std::vector<DetectedReflector> found_;
   ReflectorEvaluation result_;
 };
 

@@ -64,11 +64,12 @@ void OrdinaryBeams::learn(const LaserScan& scan, const ReflectorDetectorParams& 
 }
 
 // From now on the rest is ordinary.
-void OrdinaryBeams::learn_all_but(const LaserScan& scan, const std::vector<Reflector>& reflectors) {
+void OrdinaryBeams::learn_all_but(const LaserScan& scan,
+                                  const std::vector<DetectedReflector>& reflectors) {
   for (std::size_t i = 0; i < scan.size(); ++i) {
     if (scan.valid(i)) count(i, true);
   }
-  for (const Reflector& reflector : reflectors) {
+  for (const DetectedReflector& reflector : reflectors) {
     const std::size_t beams = scan.size();
     const std::size_t span = (reflector.last_beam + beams - reflector.first_beam) % beams + 1;
     for (std::size_t i = 0; i < std::min(span + 2 * kBeside, beams); ++i) {

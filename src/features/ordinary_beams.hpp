@@ -19,7 +19,7 @@ class OrdinaryBeams {
   void learn(const LaserScan& scan, const ReflectorDetectorParams& params);
 
   /// Of the same scan, what has turned out not to be one.
-  void learn_all_but(const LaserScan& scan, const std::vector<Reflector>& reflectors);
+  void learn_all_but(const LaserScan& scan, const std::vector<DetectedReflector>& reflectors);
 
   /// What ordinary surfaces at this range reach; 0 unless anything is known.
   float brightest(double range) const { return intensity_.at(range); }

@@ -100,7 +100,7 @@ double ReflectorDetector::threshold(double range) const {
 }
 
 ReflectorReport ReflectorDetector::detect(const LaserScan& scan,
-                                          std::vector<Reflector>& reflectors) {
+                                          std::vector<DetectedReflector>& reflectors) {
   reflectors.clear();
   ReflectorReport report;
   report.fault = fault_of(scan);
@@ -118,8 +118,8 @@ ReflectorReport ReflectorDetector::detect(const LaserScan& scan,
   return report;
 }
 
-std::vector<Reflector> ReflectorDetector::detect(const LaserScan& scan) {
-  std::vector<Reflector> reflectors;
+std::vector<DetectedReflector> ReflectorDetector::detect(const LaserScan& scan) {
+  std::vector<DetectedReflector> reflectors;
   const ReflectorReport report = detect(scan, reflectors);
   if (report.fault != IntensityFault::kNone) throw std::runtime_error(describe(report.fault));
   return reflectors;

@@ -111,7 +111,7 @@ void ReflectorSearch::add_reflector(std::size_t begin, std::size_t count,
   const auto first = static_cast<std::ptrdiff_t>(first_ + begin);
   const std::ptrdiff_t last = first + static_cast<std::ptrdiff_t>(count) - 1;
   const HiddenSides hidden = {hides(first, -1, profile.range), hides(last, 1, profile.range)};
-  Reflector found;
+  DetectedReflector found;
   for (std::size_t i = begin; i < begin + count; ++i) {
     if (std::isnan(beams_[i].range)) continue;
     const auto intensity = static_cast<double>(scan_.intensities[(first_ + i) % scan_.size()]);

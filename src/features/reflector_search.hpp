@@ -23,7 +23,7 @@ class ReflectorSearch {
  public:
   ReflectorSearch(const LaserScan& scan, const ReflectorDetectorParams& params,
                   std::vector<BrightBeam>& beams, ReflectorReport& report,
-                  std::vector<Reflector>& found)
+                  std::vector<DetectedReflector>& found)
       : scan_(scan), params_(params), beams_(beams), report_(report), found_(found) {}
 
   /// `edge`: for each beam of the scan what its intensity exceeds on a reflector.
@@ -40,7 +40,7 @@ class ReflectorSearch {
   const ReflectorDetectorParams& params_;
   std::vector<BrightBeam>& beams_;  // of the run
   ReflectorReport& report_;
-  std::vector<Reflector>& found_;
+  std::vector<DetectedReflector>& found_;
   std::size_t first_ = 0;  // beam of the run
 };
 

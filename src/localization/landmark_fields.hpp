@@ -21,6 +21,6 @@ inline const EnumNames<LandmarkKind>& landmark_kind_names() {
 bool is_covariance(const Eigen::Matrix2d& covariance);
 
 /// Throws std::invalid_argument, "hits = -1: must be in [0, 1000000000]".
-void validate(const Landmark& landmark);
+void validate(const MapLandmark& landmark);
 
 }  // namespace falko_slam

@@ -103,7 +103,7 @@ std::vector<LaserScan> warehouse_scans() {
 void detect_reflectors(benchmark::State& state) {
   const std::vector<LaserScan> scans = warehouse_scans();
   ReflectorDetector detector;
-  std::vector<Reflector> found;
+  std::vector<DetectedReflector> found;
   std::size_t count = 0;
   for_each_scan(state, scans.size(), [&](std::size_t i) {
     detector.detect(scans[i], found);

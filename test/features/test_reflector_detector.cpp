@@ -23,7 +23,7 @@ using test::room_with_reflectors;
 
 struct Found {
   ReflectorReport report;
-  std::vector<Reflector> reflectors;
+  std::vector<DetectedReflector> reflectors;
 };
 
 Found detect(const LaserScan& scan, const ReflectorDetectorParams& params = {}) {
@@ -33,7 +33,7 @@ Found detect(const LaserScan& scan, const ReflectorDetectorParams& params = {}) 
 }
 
 // In standard deviations.
-double distance(const Reflector& found, const Eigen::Vector2d& truth) {
+double distance(const DetectedReflector& found, const Eigen::Vector2d& truth) {
   const Eigen::Vector2d error = found.center - truth;
   return std::sqrt(error.dot(found.covariance.inverse() * error));
 }
@@ -45,9 +45,10 @@ TEST(ReflectorDetector, FindsEachReflectorOnceWhereItIs) {
 
   ASSERT_EQ(found.reflectors.size(), centers.size());
   for (const Eigen::Vector2d& center : centers) {
-    const auto same = std::find_if(
-        found.reflectors.begin(), found.reflectors.end(),
-        [&](const Reflector& reflector) { return (reflector.center - center).norm() < 0.05; });
+    const auto same = std::find_if(found.reflectors.begin(), found.reflectors.end(),
+                                   [&](const DetectedReflector& reflector) {
+                                     return (reflector.center - center).norm() < 0.05;
+                                   });
     ASSERT_NE(same, found.reflectors.end()) << center.transpose();
     EXPECT_LT(distance(*same, center), 4.0) << center.transpose();
     EXPECT_FALSE(same->partly_hidden);
@@ -59,7 +60,7 @@ TEST(ReflectorDetector, TellsBeamsTimeAndBrightness) {
   const auto found = detect(scan);
 
   ASSERT_EQ(found.reflectors.size(), 1U);
-  const Reflector& reflector = found.reflectors[0];
+  const DetectedReflector& reflector = found.reflectors[0];
   EXPECT_EQ(reflector.hits, reflector.last_beam - reflector.first_beam + 1);
   EXPECT_NEAR(reflector.middle_beam, 720.0, 0.5);
   EXPECT_EQ(reflector.time,
@@ -90,9 +91,9 @@ TEST(ReflectorDetector, TurnsWithAClosedScan) {
     const Pose2 back(0.0, 0.0, static_cast<double>(turn) * scan.angle_increment);
     const auto turned = detect(with_beams_rotated(scan, turn), params).reflectors;
     ASSERT_EQ(turned.size(), found.size());
-    for (const Reflector& reflector : turned) {
+    for (const DetectedReflector& reflector : turned) {
       EXPECT_EQ(std::count_if(found.begin(), found.end(),
-                              [&](const Reflector& other) {
+                              [&](const DetectedReflector& other) {
                                 return (back * reflector.center - other.center).norm() < 1e-9 &&
                                        reflector.hits == other.hits;
                               }),

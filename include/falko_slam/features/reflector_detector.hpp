@@ -57,7 +57,7 @@ struct ReflectorDetectorParams {
 void validate(const ReflectorDetectorParams& params);
 
 /// A reflector seen in one scan.
-struct Reflector {
+struct DetectedReflector {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();          ///< in the laser frame [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of the centre [m^2]
   std::size_t first_beam = 0;
@@ -114,9 +114,9 @@ class ReflectorDetector {
   ReflectorDetector& operator=(ReflectorDetector&&) noexcept;
 
   /// Replaces `reflectors` by those of the scan, in the order of their first beams.
-  ReflectorReport detect(const LaserScan& scan, std::vector<Reflector>& reflectors);
+  ReflectorReport detect(const LaserScan& scan, std::vector<DetectedReflector>& reflectors);
   /// The same. Throws std::runtime_error, describe(fault), where there are no intensities.
-  std::vector<Reflector> detect(const LaserScan& scan);
+  std::vector<DetectedReflector> detect(const LaserScan& scan);
 
   /// What the brightest beam of a reflector at this range must exceed by now [units of the
   /// intensities]; 0 where nothing is known.
