@@ -34,11 +34,10 @@ TEST_P(RecordedReflectors, AreTheOneAtItsDistanceInEveryScan) {
   params.diameter = 0.09;
   ReflectorDetector detector(params);
   LaserScan scan;
-  std::vector<Reflector> found;
   std::size_t scans = 0;
   read_scans(path, "", [&](const RawScan& raw) {
     normalize(raw, {}, scan);
-    detector.detect(scan, found);
+    const std::vector<DetectedReflector> found = detector.detect(scan);
     ++scans;
     ASSERT_EQ(found.size(), 1U) << "scan " << scans;
     EXPECT_NEAR(found[0].center.norm(), GetParam().distance, 0.015) << "scan " << scans;
