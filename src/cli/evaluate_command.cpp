@@ -179,6 +179,7 @@ void add_evaluate(CLI::App& app) {
   add_drive(*verb);
   add_evaluate_slam(*verb);
   add_evaluate_calibration(*verb);
+  add_evaluate_localization(*verb);
 }
 
 }  // namespace cli

@@ -20,5 +20,8 @@ inline std::string carmen_folder() { return recording_folder() + "/carmen/"; }
 /// The encoders of a tricycle, its own odometry and what a tracker saw.
 inline std::string tricycle_recording() { return recording_folder() + "/tricycle/dataset.txt"; }
 
+/// Robots among surveyed landmarks.
+inline std::string mrclam_folder() { return recording_folder() + "/landmarks/mrclam9"; }
+
 }  // namespace test
 }  // namespace falko_slam
