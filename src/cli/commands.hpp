@@ -15,9 +15,10 @@ void add_convert(CLI::App& app);
 void add_detect(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_optimize(CLI::App& app);
-void add_evaluate_calibration(CLI::App& evaluate);  // below `evaluate`
-void add_evaluate_reflectors(CLI::App& evaluate);   // the same
-void add_evaluate_slam(CLI::App& evaluate);         // the same
+void add_evaluate_calibration(CLI::App& evaluate);   // below `evaluate`
+void add_evaluate_localization(CLI::App& evaluate);  // the same
+void add_evaluate_reflectors(CLI::App& evaluate);    // the same
+void add_evaluate_slam(CLI::App& evaluate);          // the same
 void add_parameters(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_slam(CLI::App& app);

@@ -225,8 +225,6 @@ TEST(LandmarkFilter, IsConsistentInACorridorAndBetterThanOdometry) {
   EXPECT_LT(sum.nis, chi_square_bound(0.025, sum.nis_degrees));
   EXPECT_GT(sum.nis, chi_square_bound(0.975, sum.nis_degrees));
   EXPECT_LT(sum.error, 0.5 * sum.odometry_error);
-  std::printf("NEES %.2f, NIS %.4f, error %.4f, odometry %.4f\n", sum.nees / kRuns / 3,
-              sum.nis / sum.nis_degrees, sum.error / kRuns, sum.odometry_error / kRuns);
 }
 
 TEST(LandmarkFilterParams, AreValidatedWithNameAndValue) {

@@ -23,5 +23,8 @@ inline std::string tricycle_recording() { return recording_folder() + "/tricycle
 /// Bags of scans with intensities and one reflector.
 inline std::string reflector_folder() { return recording_folder() + "/reflectors/"; }
 
+/// Robots among surveyed landmarks.
+inline std::string mrclam_folder() { return recording_folder() + "/landmarks/mrclam9"; }
+
 }  // namespace test
 }  // namespace falko_slam
