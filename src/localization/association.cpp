@@ -103,6 +103,7 @@ class PairGate {
   void try_one(const LandmarkObservation& observation, std::size_t number, std::size_t place,
                std::vector<LandmarkPair>& pairs) const {
     const Landmark& landmark = map_.landmarks()[place];
+    if (landmark.kind != observation.kind) return;
     const Eigen::Vector2d laser = map_T_base_.pose * base_T_laser_.translation();
     if ((landmark.position - laser).norm() < kNearest) return;
     LandmarkPair pair = predicted_pair(map_T_base_, base_T_laser_, landmark, observation);

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/localization/landmark_filter.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "covariance_check.hpp"
 #include "falko_slam/common/validation.hpp"
 #include "falko_slam/geometry/angles.hpp"
+#include "feature_gate.hpp"
 #include "seen_feature.hpp"
 #include "state_joint_distance.hpp"
 #include "tentative_list.hpp"
@@ -26,19 +27,10 @@ bool is_usable(const PoseEstimate& estimate) {
   return is_finite(estimate.pose) && is_positive_semidefinite<3>(estimate.covariance);
 }
 
-double greatest_deviation(const Eigen::Matrix2d& covariance) {
-  return std::sqrt(covariance.trace());  // or a little more
-}
-
 // A feature of the scan, its number there, and what became of it.
 struct Input {
   std::optional<SeenFeature> seen;
   ObservationVerdict verdict = ObservationVerdict::kInvalid;
-};
-
-struct Pairs {
-  std::vector<LandmarkState::Row> rows;
-  JointPairs joint;
 };
 
 }  // namespace
@@ -53,18 +45,24 @@ void validate(const LandmarkFilterParams& params) {
   require_in_range("hits", params.hits, 1, 100);
   require_in_range("forget_after", params.forget_after, 0.01, 1000.0);
   require_in_range("give_up_after", params.give_up_after, 0.01, 1000.0);
+  require_in_range("point_wander", params.point_wander, 0.0, 1.0);
+  require_in_range("face_wander", params.face_wander, 0.0, 1.0);
+  require_in_range("face_turn_wander", params.face_turn_wander, 0.0, 1.0);
   require_in_range("separation", params.separation, 0.0, 10.0);
   validate(params.association);
 }
 
 struct LandmarkFilter::State {
-  State(const LandmarkFilterParams& p, const PoseEstimate& map_T_base)
+  State(const LandmarkFilterParams& p, const PoseEstimate& map_T_base,
+        std::shared_ptr<const LandmarkIndex> landmark_map)
       : params(p),
+        map(std::move(landmark_map)),
         gate(pair_gate(p.association.gate_probability)),
         state(map_T_base, p.max_landmarks),
         tentative(p.hits, 0.5 * p.separation) {}
 
   LandmarkFilterParams params;
+  std::shared_ptr<const LandmarkIndex> map;  // or null
   double gate;
   LandmarkState state;
   std::vector<FeatureRecord> records;  // one per landmark of the state
@@ -73,12 +71,13 @@ struct LandmarkFilter::State {
 
   FeatureRecord& record(int landmark) { return records[static_cast<std::size_t>(landmark)]; }
   void remove(int landmark);
+  void wander(double way);
   int forget(Time stamp);
-  bool may_be(const FeatureRecord& candidate, const Eigen::Vector2d& mean, double reach,
-              const SeenFeature& seen) const;
-  void gate_input(std::size_t number, Input& input, Pairs& pairs);
-  void correct(Time stamp, std::vector<Input>& inputs, const Pairs& pairs, FeatureUpdate& update);
+  void gate_inputs(std::vector<Input>& inputs, FeaturePairs& pairs) const;
+  void correct(Time stamp, std::vector<Input>& inputs, const FeaturePairs& pairs,
+               FeatureUpdate& update);
   void place(std::vector<Input>& inputs) const;
+  bool stands_near_map(const SeenFeature& seen) const;
   bool stands_near(const SeenFeature& seen) const;
   bool make_room(Time stamp, FeatureUpdate& update);
   void consider(Time stamp, Input& input, FeatureUpdate& update);
@@ -88,6 +87,20 @@ void LandmarkFilter::State::remove(int landmark) {
   state.remove(landmark);
   record(landmark) = records.back();
   records.pop_back();
+}
+
+void LandmarkFilter::State::wander(double way) {
+  const auto squared = [](double value) { return value * value; };
+  const double point = way * squared(params.point_wander);
+  const Eigen::Vector2d face(way * squared(params.face_turn_wander),
+                             way * squared(params.face_wander));
+  for (int i = 0; i < state.landmarks(); ++i) {
+    if (record(i).is_line) {
+      state.loosen(i, face);
+    } else if (record(i).kind == LandmarkKind::kFeature) {
+      state.loosen(i, {point, point});
+    }
+  }
 }
 
 int LandmarkFilter::State::forget(Time stamp) {
@@ -101,44 +114,28 @@ int LandmarkFilter::State::forget(Time stamp) {
   return dropped;
 }
 
-// A cheap look before the gate itself.
-bool LandmarkFilter::State::may_be(const FeatureRecord& candidate, const Eigen::Vector2d& mean,
-                                   double reach, const SeenFeature& seen) const {
-  if (candidate.is_line != seen.is_line) return false;
-  if (!seen.is_line) return (mean - seen.in_map).squaredNorm() <= reach * reach;
-  return overlap(mean.x(), candidate.middle, 0.5 * candidate.half_length, seen.in_map,
-                 0.5 * seen.line.half_length + reach);
-}
-
-// The deviation of an innovation is at most the sum of those of pose, landmark and observation.
-void LandmarkFilter::State::gate_input(std::size_t number, Input& input, Pairs& pairs) {
-  if (!input.seen) return;
-  const SeenFeature& seen = *input.seen;
-  const PoseEstimate estimate = state.pose();
-  const double way = (seen.in_map - estimate.pose.translation()).norm();
-  const double heading = std::sqrt(estimate.covariance(2, 2));
-  const double own = greatest_deviation(estimate.covariance.topLeftCorner<2, 2>()) + heading * way +
-                     (seen.is_line ? 0.0 : greatest_deviation(seen.line.covariance));
-  const double share = std::max(0.1, 1.0 - std::sqrt(gate) * heading);
-  input.verdict = ObservationVerdict::kNoLandmark;
-  for (int i = 0; i < state.landmarks(); ++i) {
-    const Eigen::Vector2d mean = state.mean_of(i);
-    const double theirs = record(i).is_line ? 0.0 : greatest_deviation(state.covariance_of(i));
-    if (!may_be(record(i), mean, std::sqrt(gate) * (own + theirs) / share, seen)) continue;
-    LandmarkState::Row row = row_of(estimate.pose, params.base_T_laser, record(i), mean, seen);
-    row.landmark = i;
-    const Eigen::Matrix2d S = state.innovation_covariance(row);
-    const double distance = row.innovation.dot(S.inverse() * row.innovation);
-    if (!(distance <= gate)) continue;
-    pairs.rows.push_back(row);
-    pairs.joint.pairs.push_back({number, static_cast<std::size_t>(i), distance});
-    input.verdict = ObservationVerdict::kIncompatible;
+void LandmarkFilter::State::gate_inputs(std::vector<Input>& inputs, FeaturePairs& pairs) const {
+  pairs.joint.landmarks = records.size();
+  FeatureGate gate_of(state, records, map.get(), params.base_T_laser, gate);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!inputs[i].seen) continue;
+    switch (gate_of.add(i, *inputs[i].seen, pairs)) {
+      case FeatureGate::Found::kNone:
+        inputs[i].verdict = ObservationVerdict::kNoLandmark;
+        break;
+      case FeatureGate::Found::kSome:
+        inputs[i].verdict = ObservationVerdict::kIncompatible;
+        break;
+      case FeatureGate::Found::kUnknownId:
+        inputs[i].verdict = ObservationVerdict::kUnknownId;
+        break;
+    }
   }
 }
 
-void LandmarkFilter::State::correct(Time stamp, std::vector<Input>& inputs, const Pairs& pairs,
-                                    FeatureUpdate& update) {
-  StateJointDistance distance(state, pairs.rows);
+void LandmarkFilter::State::correct(Time stamp, std::vector<Input>& inputs,
+                                    const FeaturePairs& pairs, FeatureUpdate& update) {
+  StateJointDistance distance(state, pairs.rows, pairs.joint.landmarks);
   const AssociationParams& association = params.association;
   const JointSelection selection = search_jointly(
       pairs.joint, distance,
@@ -157,9 +154,13 @@ void LandmarkFilter::State::correct(Time stamp, std::vector<Input>& inputs, cons
   const Pose2 map_T_laser = state.pose().pose * params.base_T_laser;
   for (const std::size_t place : selection.pairs) {
     const JointPairs::Pair& pair = pairs.joint.pairs[place];
-    FeatureRecord& landmark = records[pair.landmark];
     Input& input = inputs[pair.observation];
     input.verdict = ObservationVerdict::kUsed;
+    if (pair.landmark >= records.size()) {
+      ++update.of_map;
+      continue;
+    }
+    FeatureRecord& landmark = records[pair.landmark];
     landmark.last_seen = stamp;
     landmark.middle = map_T_laser * input.seen->line.middle;
     landmark.half_length = input.seen->line.half_length;
@@ -173,10 +174,18 @@ void LandmarkFilter::State::place(std::vector<Input>& inputs) const {
   }
 }
 
+bool LandmarkFilter::State::stands_near_map(const SeenFeature& seen) const {
+  std::vector<std::size_t> near;
+  map->find_near(seen.in_map, params.separation, near);
+  return std::any_of(near.begin(), near.end(),
+                     [&](std::size_t place) { return map->landmarks()[place].kind == seen.kind; });
+}
+
 bool LandmarkFilter::State::stands_near(const SeenFeature& seen) const {
+  if (map && !seen.is_line && stands_near_map(seen)) return true;
   for (int i = 0; i < state.landmarks(); ++i) {
     const FeatureRecord& other = records[static_cast<std::size_t>(i)];
-    if (other.is_line != seen.is_line) continue;
+    if (other.is_line != seen.is_line || other.kind != seen.kind) continue;
     const Eigen::Vector2d mean = state.mean_of(i);
     if (!seen.is_line) {
       if ((mean - seen.in_map).norm() < params.separation) return true;
@@ -220,17 +229,18 @@ void LandmarkFilter::State::consider(Time stamp, Input& input, FeatureUpdate& up
   state.add(landmark.mean, landmark.dlandmark_dpose, landmark.noise);
   const Eigen::Vector2d anchor = (estimate.pose * params.base_T_laser).translation();
   records.push_back(
-      {next_number++, seen.is_line, anchor, seen.in_map, seen.line.half_length, stamp});
+      {next_number++, seen.is_line, seen.kind, anchor, seen.in_map, seen.line.half_length, stamp});
   input.verdict = ObservationVerdict::kAdded;
 }
 
-LandmarkFilter::LandmarkFilter(const LandmarkFilterParams& params, const PoseEstimate& map_T_base) {
+LandmarkFilter::LandmarkFilter(const LandmarkFilterParams& params, const PoseEstimate& map_T_base,
+                               std::shared_ptr<const LandmarkIndex> map) {
   validate(params);
   if (!is_usable(map_T_base)) {
     throw std::invalid_argument(
         "map_T_base: must be finite, with a symmetric positive semidefinite covariance");
   }
-  state_ = std::make_unique<State>(params, map_T_base);
+  state_ = std::make_unique<State>(params, map_T_base, std::move(map));
 }
 LandmarkFilter::~LandmarkFilter() = default;
 LandmarkFilter::LandmarkFilter(LandmarkFilter&&) noexcept = default;
@@ -239,6 +249,7 @@ LandmarkFilter& LandmarkFilter::operator=(LandmarkFilter&&) noexcept = default;
 bool LandmarkFilter::predict(const PoseEstimate& motion) {
   if (!is_usable(motion) || !is_usable(compose(state_->state.pose(), motion))) return false;
   state_->state.predict(motion);
+  state_->wander(motion.pose.translation().norm());
   return true;
 }
 
@@ -250,9 +261,8 @@ FeatureUpdate LandmarkFilter::update(Time stamp, const FeatureObservations& obse
   for (const auto& point : observations.points) inputs.push_back({seen_point(point)});
   for (const auto& line : observations.lines) inputs.push_back({seen_line(line)});
   s.place(inputs);
-  Pairs pairs;
-  pairs.joint.landmarks = s.records.size();
-  for (std::size_t i = 0; i < inputs.size(); ++i) s.gate_input(i, inputs[i], pairs);
+  FeaturePairs pairs;
+  s.gate_inputs(inputs, pairs);
   s.correct(stamp, inputs, pairs, update);
   s.place(inputs);
   for (Input& input : inputs) {
@@ -275,6 +285,7 @@ std::vector<ActiveLandmark> LandmarkFilter::landmarks() const {
     ActiveLandmark landmark;
     landmark.number = record.number;
     landmark.is_line = record.is_line;
+    landmark.kind = record.kind;
     if (record.is_line) landmark.line = {wrap_angle(mean.x()), mean.y(), record.anchor};
     landmark.middle = record.is_line ? record.middle : mean;
     landmark.covariance = state_->state.covariance_of(i);

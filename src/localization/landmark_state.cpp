@@ -38,6 +38,10 @@ void LandmarkState::predict(const PoseEstimate& motion) {
   covariance_.block(3, 0, rest, 3) = covariance_.block(0, 3, 3, rest).transpose();
 }
 
+void LandmarkState::loosen(int landmark, const Eigen::Vector2d& variances) {
+  covariance_.diagonal().segment<2>(3 + 2 * landmark) += variances;
+}
+
 void LandmarkState::add(const Eigen::Vector2d& mean,
                         const Eigen::Matrix<double, 2, 3>& dlandmark_dpose,
                         const Eigen::Matrix2d& noise) {
@@ -62,9 +66,10 @@ void LandmarkState::remove(int landmark) {
 }
 
 void LandmarkState::covariance_with(const Row& row, Eigen::Ref<Eigen::MatrixXd> result) const {
-  const int at = 3 + 2 * row.landmark;
-  const int n = size(), below = n - at;
+  const int n = size();
   result.noalias() = covariance_.block(0, 0, n, 3) * row.dpose.transpose();
+  if (!row.inside()) return;
+  const int at = 3 + 2 * row.landmark, below = n - at;
   result.topRows(at).noalias() +=
       covariance_.block(at, 0, 2, at).transpose() * row.dlandmark.transpose();
   result.bottomRows(below).noalias() +=
@@ -73,16 +78,20 @@ void LandmarkState::covariance_with(const Row& row, Eigen::Ref<Eigen::MatrixXd> 
 
 Eigen::Matrix2d LandmarkState::between(const Row& row,
                                        const Eigen::Ref<const Eigen::MatrixXd>& other) {
-  return row.dpose * other.topRows<3>() + row.dlandmark * other.middleRows<2>(3 + 2 * row.landmark);
+  Eigen::Matrix2d result = row.dpose * other.topRows<3>();
+  if (row.inside()) result += row.dlandmark * other.middleRows<2>(3 + 2 * row.landmark);
+  return result;
 }
 
 Eigen::Matrix2d LandmarkState::innovation_covariance(const Row& row) const {
+  const Eigen::Matrix2d known =
+      row.dpose * covariance_.topLeftCorner<3, 3>() * row.dpose.transpose() + row.noise;
+  if (!row.inside()) return known;
   const int at = 3 + 2 * row.landmark;
   const Eigen::Matrix2d cross =
       row.dpose * covariance_.block<3, 2>(0, at) * row.dlandmark.transpose();
-  return row.dpose * covariance_.topLeftCorner<3, 3>() * row.dpose.transpose() + cross +
-         cross.transpose() +
-         row.dlandmark * covariance_of(row.landmark) * row.dlandmark.transpose() + row.noise;
+  return known + cross + cross.transpose() +
+         row.dlandmark * covariance_of(row.landmark) * row.dlandmark.transpose();
 }
 
 // Batch by batch, all from the same point of linearisation: the result is that of all at once, but
@@ -119,8 +128,10 @@ double LandmarkState::correct_batch(const std::vector<Row>& rows, Eigen::VectorX
       S.block<2, 2>(i, j) = between(row, V.middleCols(j, 2));
     }
     S.block<2, 2>(i, i) += row.noise;
-    innovation.segment<2>(i) = row.innovation - row.dpose * step.head<3>() -
-                               row.dlandmark * step.segment<2>(3 + 2 * row.landmark);
+    innovation.segment<2>(i) = row.innovation - row.dpose * step.head<3>();
+    if (row.inside()) {
+      innovation.segment<2>(i) -= row.dlandmark * step.segment<2>(3 + 2 * row.landmark);
+    }
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(S);
   if (factor.info() != Eigen::Success) return -1.0;

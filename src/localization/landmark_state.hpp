@@ -26,6 +26,9 @@ class LandmarkState {
   /// Moves the pose; landmarks stay.
   void predict(const PoseEstimate& motion);
 
+  /// Adds to the variances of a landmark.
+  void loosen(int landmark, const Eigen::Vector2d& variances);
+
   /// A landmark l = g(pose, z) with its slopes and the noise of z. There must be room.
   void add(const Eigen::Vector2d& mean, const Eigen::Matrix<double, 2, 3>& dlandmark_dpose,
            const Eigen::Matrix2d& noise);
@@ -33,9 +36,12 @@ class LandmarkState {
   /// Marginalises it; the last landmark takes its place.
   void remove(int landmark);
 
-  /// What an observation of a landmark changes with: z = h + Hq dq + Hl dl.
+  /// What an observation of a landmark changes with: z = h + Hq dq + Hl dl. Of a landmark that is
+  /// not in the state there is no dl: what is not known of its place is in the noise.
   struct Row {
-    int landmark = 0;
+    static constexpr int kOutside = -1;
+    int landmark = kOutside;
+    bool inside() const { return landmark != kOutside; }
     Eigen::Matrix<double, 2, 3> dpose;
     Eigen::Matrix2d dlandmark;
     Eigen::Vector2d innovation;

@@ -12,6 +12,8 @@ namespace falko_slam {
 std::optional<SeenFeature> seen_point(const LandmarkObservation& observation) {
   if (!is_usable(observation)) return std::nullopt;
   SeenFeature seen;
+  seen.kind = observation.kind;
+  seen.id = observation.id;
   seen.line.value = seen.line.middle = point_in_laser(observation);
   seen.line.covariance = observation.covariance;
   if (observation.model == ObservationModel::kRangeBearing) {
@@ -50,6 +52,14 @@ LandmarkState::Row row_of(const Pose2& map_T_base, const Pose2& base_T_laser,
     row.dlandmark = prediction.dvalue_dlandmark;
     row.innovation = seen.line.value - prediction.value;
   }
+  return row;
+}
+
+LandmarkState::Row row_of(const Pose2& map_T_base, const Pose2& base_T_laser,
+                          const Landmark& landmark, const SeenFeature& seen) {
+  LandmarkState::Row row =
+      row_of(map_T_base, base_T_laser, FeatureRecord{}, landmark.position, seen);
+  row.noise += row.dlandmark * landmark.covariance * row.dlandmark.transpose();
   return row;
 }
 

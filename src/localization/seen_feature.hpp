@@ -14,6 +14,8 @@ namespace falko_slam {
 /// A point or a face as the laser saw it. Points in Cartesian coordinates.
 struct SeenFeature {
   bool is_line = false;
+  LandmarkKind kind = LandmarkKind::kFeature;
+  std::optional<std::uint32_t> id;  // of a landmark of the map
   LineObservation line;  // of a point: value and covariance are its x, y; middle is the point
   Eigen::Vector2d in_map = Eigen::Vector2d::Zero();  // its middle, from the present pose
 };
@@ -26,6 +28,7 @@ std::optional<SeenFeature> seen_line(const LineObservation& observation);
 struct FeatureRecord {
   std::uint64_t number = 0;
   bool is_line = false;
+  LandmarkKind kind = LandmarkKind::kFeature;
   Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // of a line
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();  // of a line, as it was seen last, in map
   double half_length = 0.0;
@@ -36,6 +39,10 @@ struct FeatureRecord {
 LandmarkState::Row row_of(const Pose2& map_T_base, const Pose2& base_T_laser,
                           const FeatureRecord& record, const Eigen::Vector2d& mean,
                           const SeenFeature& seen);
+
+/// The same of a landmark of the map, which is not in the state.
+LandmarkState::Row row_of(const Pose2& map_T_base, const Pose2& base_T_laser,
+                          const Landmark& landmark, const SeenFeature& seen);
 
 /// The landmark that is seen so, and how it hangs on pose and observation.
 struct BornLandmark {

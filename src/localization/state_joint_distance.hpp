@@ -16,12 +16,14 @@ namespace falko_slam {
 /// joint innovation covariance, two rows for each pair.
 class StateJointDistance : public JointDistance {
  public:
-  StateJointDistance(const LandmarkState& state, const std::vector<LandmarkState::Row>& rows)
+  /// `most`: pairs at a time.
+  StateJointDistance(const LandmarkState& state, const std::vector<LandmarkState::Row>& rows,
+                     std::size_t most)
       : rows_(rows),
         slopes_(state.size(), 2 * static_cast<int>(rows.size())),
-        L_(2 * state.landmarks(), 2 * state.landmarks()),
-        white_(2 * state.landmarks()),
-        chosen_(static_cast<std::size_t>(state.landmarks())) {
+        L_(2 * static_cast<int>(most), 2 * static_cast<int>(most)),
+        white_(2 * static_cast<int>(most)),
+        chosen_(most) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       state.covariance_with(rows[i], slopes_.middleCols<2>(2 * static_cast<int>(i)));
     }

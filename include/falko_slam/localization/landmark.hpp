@@ -8,11 +8,18 @@
 
 namespace falko_slam {
 
+/// Only landmarks and observations of the same kind may belong together.
+enum class LandmarkKind {
+  kReflector,  ///< its axis, or the middle of its face
+  kFeature,    ///< a natural one, such as a corner
+};
+
 /// A point of the map that is found again: a reflector or a corner.
 struct Landmark {
   std::uint32_t id = 0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();    ///< in map [m]
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position [m^2]
+  LandmarkKind kind = LandmarkKind::kReflector;
 };
 
 /// What the two numbers of an observation are, both in the frame of the laser.
@@ -27,6 +34,7 @@ struct LandmarkObservation {
   Eigen::Vector2d value = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< positive definite
   std::optional<std::uint32_t> id;                       ///< if it was recognised
+  LandmarkKind kind = LandmarkKind::kReflector;
 };
 
 /// All finite, a range above zero, a covariance that is symmetric and positive definite.

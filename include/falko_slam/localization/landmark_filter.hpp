@@ -24,6 +24,12 @@ struct LandmarkFilterParams {
   double give_up_after = 0.5;
   /// A point nearer to one of the state than this is not added. [0, 10] [m]
   double separation = 0.15;
+  /// What is taken for a landmark's place changes with the side that it is seen from: a random walk
+  /// of this standard deviation while the vehicle goes one metre. Of both coordinates of a point
+  /// that is a natural feature. [0, 1] [m / sqrt(m)]
+  double point_wander = 0.01;
+  double face_wander = 0.001;      ///< of a face, across it. [0, 1] [m / sqrt(m)]
+  double face_turn_wander = 5e-4;  ///< of a face, its direction. [0, 1] [rad / sqrt(m)]
   /// A step of its search costs more than with a fixed map: fewer of them.
   AssociationParams association{0.997, 0.999, 6.0, 200};
 };
@@ -32,7 +38,7 @@ void validate(const LandmarkFilterParams& params);
 
 /// What a scan may show: points, and straight faces as landmarks of their own.
 struct FeatureObservations {
-  std::vector<LandmarkObservation> points;  ///< ids are not looked at
+  std::vector<LandmarkObservation> points;  ///< ids are those of the map
   std::vector<LineObservation> lines;
 };
 
@@ -40,6 +46,7 @@ struct FeatureObservations {
 struct ActiveLandmark {
   std::uint64_t number = 0;  ///< never given again
   bool is_line = false;
+  LandmarkKind kind = LandmarkKind::kFeature;
   MapLine line;                                      ///< if it is one
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< the point; of a line what was seen last
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the point or (angle, offset)
@@ -52,22 +59,26 @@ struct FeatureUpdate {
   std::vector<ObservationVerdict> lines;   ///< one per line
   double nis = 0.0;                        ///< of the pairs that were used
   int degrees_of_freedom = 0;
+  int of_map = 0;      ///< pairs with landmarks of the map
   int dropped = 0;     ///< landmarks that left the state
   bool proven = true;  ///< the search was not cut short by max_nodes
 };
 
-/// Localization without a map: an extended Kalman filter over the pose and a bounded number of
-/// landmarks that come and go (\cite kallasi2017 5.4 keeps these outside of the state and forgets
-/// how their errors hang together with the pose's; see doc/decisions/0020-localization-filter.md).
+/// Localization with or without a map: an extended Kalman filter over the pose and a bounded number
+/// of landmarks that come and go beside those of a fixed map (\cite kallasi2017 5.4 keeps these
+/// outside of the state and forgets how their errors hang together with the pose's; see
+/// doc/decisions/0020-localization-filter.md).
 ///
-/// The covariance is PoseFilter's: of the additive error of (x, y, theta) in map; it is relative to
-/// the start and grows with the way. A landmark enters where its last hit saw it, with all of the
+/// The covariance is PoseFilter's: of the additive error of (x, y, theta) in map; it grows with the
+/// way while no landmark of the map is seen. What may be one of these is it or nothing; all else
+/// may become a landmark of the state. A landmark enters where its last hit saw it, with all of the
 /// pose's uncertainty; the hits before it count as no information. Noise by incidence and range is
 /// the caller's to give with each observation. Constant cost per step; not thread-safe.
 class LandmarkFilter {
  public:
   /// Throws std::invalid_argument for params, or a pose or covariance that is none.
-  LandmarkFilter(const LandmarkFilterParams& params, const PoseEstimate& map_T_base);
+  LandmarkFilter(const LandmarkFilterParams& params, const PoseEstimate& map_T_base,
+                 std::shared_ptr<const LandmarkIndex> map = nullptr);
   ~LandmarkFilter();
   LandmarkFilter(LandmarkFilter&&) noexcept;
   LandmarkFilter& operator=(LandmarkFilter&&) noexcept;

@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace falko_slam {
+#include "falko_slam/localization/landmark.hpp"
 
-enum class LandmarkKind {
-  kReflector,  ///< its axis, or the middle of its face
-  kFeature,    ///< a natural one, such as a corner
-};
+namespace falko_slam {
 
 /// What layouts of SICK's scanners tell of a reflector beside its place; kept for them only.
 struct ReflectorLayout {

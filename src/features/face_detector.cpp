@@ -1,0 +1,194 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/features/face_detector.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "falko_slam/common/validation.hpp"
+#include "line_break.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr double kBeyondNoise = 3.5;     // deviations of a beam
+constexpr double kBeyondStraight = 2.0;  // and of a face's shape
+constexpr double kSure = 25.0;           // fall of chi-square that chance does not explain
+constexpr double kMostGrazing = 0.05;    // sine of the angle between beam and face
+
+// Beams counted from the scan's break on, so that surfaces go on across the seam.
+struct OpenScan {
+  OpenScan(const LaserScan& scan, const FaceDetectorParams& params);
+
+  bool usable(std::size_t k) const { return ranges[k] > 0.0; }
+
+  std::size_t size, start = 0;
+  std::vector<Eigen::Vector2d> points;
+  std::vector<double> ranges;  // 0: not to be used
+  std::vector<bool> joined;    // with the one before
+};
+
+OpenScan::OpenScan(const LaserScan& scan, const FaceDetectorParams& params)
+    : size(scan.size()), points(size), ranges(size), joined(size) {
+  const auto joins = [&](std::size_t beam, std::size_t next) {
+    if (!scan.valid(beam) || !scan.valid(next)) return false;
+    const double range = std::min(scan.ranges[beam], scan.ranges[next]);
+    return on_one_surface((scan.point(beam) - scan.point(next)).norm(), range, scan.angle_increment,
+                          params.surface);
+  };
+  if (scan.closed) {
+    while (start < size && joins((start + size - 1) % size, start)) ++start;
+    start %= std::max<std::size_t>(size, 1);
+  }
+  for (std::size_t k = 0; k < size; ++k) {
+    const std::size_t beam = (start + k) % size;
+    const bool usable = scan.valid(beam) && scan.ranges[beam] <= params.max_range;
+    points[k] = usable ? scan.point(beam) : Eigen::Vector2d(0.0, 0.0);
+    ranges[k] = usable ? scan.ranges[beam] : 0.0;
+    joined[k] = k > 0 && usable && ranges[k - 1] > 0.0 && joins((beam + size - 1) % size, beam);
+  }
+}
+
+class FaceSplitter {
+ public:
+  FaceSplitter(const OpenScan& scan, const FaceDetectorParams& params)
+      : scan_(scan), params_(params) {}
+
+  std::vector<DetectedFace> run() {
+    std::size_t first = 0;
+    for (std::size_t k = 1; k <= scan_.size; ++k) {
+      if (k < scan_.size && scan_.joined[k]) continue;
+      if (scan_.usable(first)) split(first, k - 1);
+      first = k;
+    }
+    return std::move(faces_);
+  }
+
+ private:
+  double variance_across(std::size_t k, const Eigen::Vector2d& normal) const {
+    const Eigen::Vector2d sight = scan_.points[k] / scan_.ranges[k];
+    const double along = params_.range_noise * normal.dot(sight);
+    const double turned =
+        params_.bearing_noise * scan_.ranges[k] * (normal.y() * sight.x() - normal.x() * sight.y());
+    return along * along + turned * turned + 1e-10;
+  }
+
+  Line2 fitted(std::size_t first, std::size_t last, Eigen::Vector2d normal) const {
+    Line2 line;
+    for (int round = 0; round < 2; ++round) {
+      LineMoments moments;
+      const Eigen::Vector2d origin = scan_.points[first];
+      for (std::size_t k = first; k <= last; ++k) {
+        const Eigen::Vector2d point = scan_.points[k] - origin;
+        moments.add(point.x(), point.y(), 1.0 / variance_across(k, normal));
+      }
+      line = moments.fit().line;
+      line.offset += line.normal.dot(origin);
+      normal = line.normal;
+    }
+    return line.offset < 0.0 ? Line2{-line.normal, -line.offset} : line;
+  }
+
+  bool is_straight(std::size_t first, std::size_t last, const Line2& line) const {
+    for (std::size_t k = first; k <= last; ++k) {
+      const double allowed = kBeyondStraight * params_.straightness +
+                             kBeyondNoise * std::sqrt(variance_across(k, line.normal));
+      if (std::abs(line.signed_distance(scan_.points[k])) > allowed) return false;
+    }
+    return true;
+  }
+
+  LineBreak best_break(std::size_t first, std::size_t last, const Line2& line) const {
+    const Eigen::Vector2d along(-line.normal.y(), line.normal.x());
+    LineBreakSearch search;
+    for (std::size_t k = first; k <= last; ++k) {
+      const Eigen::Vector2d point = scan_.points[k] - scan_.points[first];
+      search.add(along.dot(point), line.normal.dot(point), 1.0 / variance_across(k, line.normal));
+    }
+    return search.best();
+  }
+
+  bool is_one(const LineBreak& best) const {
+    return best.gain < kSure || best.gain < best.weight * std::pow(params_.straightness, 2);
+  }
+
+  void split(std::size_t first, std::size_t last) {
+    const auto end = static_cast<std::size_t>(params_.end_beams);
+    if (last + 1 - first < static_cast<std::size_t>(params_.min_beams) + 2 * end) return;
+    const Eigen::Vector2d chord = scan_.points[last] - scan_.points[first];
+    const Eigen::Vector2d across = Eigen::Vector2d(-chord.y(), chord.x()).stableNormalized();
+    const Line2 line = fitted(first, last, across);
+    if (is_straight(first + end, last - end, line)) {
+      const LineBreak found = best_break(first + end, last - end, line);
+      if (is_one(found)) return add(first + end, last - end, across);
+      split(first, first + end + found.second - 1);
+      return split(first + end + found.second, last);
+    }
+    double farthest = 0.0;
+    std::size_t corner = first;
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const double distance = std::abs(across.dot(scan_.points[k] - scan_.points[first])) /
+                              std::sqrt(variance_across(k, across));
+      if (distance <= farthest) continue;
+      farthest = distance;
+      corner = k;
+    }
+    if (corner == first) return;
+    split(first, corner);
+    split(corner, last);
+  }
+
+  // Least squares in (turn about the middle, shift across): the weights of the beams, and what the
+  // face's own shape adds to all of them in common.
+  void add(std::size_t first, std::size_t last, const Eigen::Vector2d& across) {
+    const Line2 line = fitted(first, last, across);
+    const Eigen::Vector2d along(-line.normal.y(), line.normal.x());
+    const double from = along.dot(scan_.points[first]), to = along.dot(scan_.points[last]);
+    const double middle = 0.5 * (from + to), length = std::abs(to - from);
+    if (length < params_.min_length || std::abs(line.offset) < 1e-3) return;
+    const Eigen::Vector2d sight = scan_.points[(first + last) / 2].normalized();
+    if (std::abs(sight.dot(line.normal)) < kMostGrazing) return;
+    Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+    for (std::size_t k = first; k <= last; ++k) {
+      const Eigen::Vector2d slope(along.dot(scan_.points[k]) - middle, 1.0);
+      information += slope * slope.transpose() / variance_across(k, line.normal);
+    }
+    DetectedFace face;
+    face.line = line;
+    face.covariance = information.inverse();
+    face.covariance(0, 0) += std::pow(2.0 * params_.straightness / length, 2);
+    face.covariance(1, 1) += std::pow(params_.straightness, 2);
+    face.middle = line.offset * line.normal + middle * along;
+    face.half_length = 0.5 * length;
+    face.first_beam = (scan_.start + first) % scan_.size;
+    face.last_beam = (scan_.start + last) % scan_.size;
+    faces_.push_back(face);
+  }
+
+  const OpenScan& scan_;
+  const FaceDetectorParams& params_;
+  std::vector<DetectedFace> faces_;
+};
+
+}  // namespace
+
+void validate(const FaceDetectorParams& params) {
+  require_in_range("max_range", params.max_range, 0.1, 1e5);
+  require_in_range("range_noise", params.range_noise, 1e-4, 1.0);
+  require_in_range("bearing_noise", params.bearing_noise, 0.0, 0.1);
+  require_in_range("straightness", params.straightness, 1e-4, 0.1);
+  require_in_range("end_beams", params.end_beams, 0, 100);
+  require_in_range("min_beams", params.min_beams, 3, 1000);
+  require_in_range("min_length", params.min_length, 0.01, 100.0);
+  validate(params.surface);
+}
+
+std::vector<DetectedFace> detect_faces(const LaserScan& scan, const FaceDetectorParams& params) {
+  if (scan.size() == 0 || !(scan.angle_increment > 0.0)) return {};
+  const OpenScan open(scan, params);
+  return FaceSplitter(open, params).run();
+}
+
+}  // namespace falko_slam
