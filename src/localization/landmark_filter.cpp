@@ -27,10 +27,17 @@ bool is_usable(const PoseEstimate& estimate) {
   return is_finite(estimate.pose) && is_positive_semidefinite<3>(estimate.covariance);
 }
 
+void require_usable(const PoseEstimate& map_T_base) {
+  if (is_usable(map_T_base)) return;
+  throw std::invalid_argument(
+      "map_T_base: must be finite, with a symmetric positive semidefinite covariance");
+}
+
 // A feature of the scan, its number there, and what became of it.
 struct Input {
   std::optional<SeenFeature> seen;
   ObservationVerdict verdict = ObservationVerdict::kInvalid;
+  std::optional<std::size_t> of_map;  // the landmark there
 };
 
 }  // namespace
@@ -157,7 +164,7 @@ void LandmarkFilter::State::correct(Time stamp, std::vector<Input>& inputs,
     Input& input = inputs[pair.observation];
     input.verdict = ObservationVerdict::kUsed;
     if (pair.landmark >= records.size()) {
-      ++update.of_map;
+      input.of_map = pairs.of_map[pair.landmark - records.size()];
       continue;
     }
     FeatureRecord& landmark = records[pair.landmark];
@@ -236,13 +243,16 @@ void LandmarkFilter::State::consider(Time stamp, Input& input, FeatureUpdate& up
 LandmarkFilter::LandmarkFilter(const LandmarkFilterParams& params, const PoseEstimate& map_T_base,
                                std::shared_ptr<const LandmarkIndex> map) {
   validate(params);
-  if (!is_usable(map_T_base)) {
-    throw std::invalid_argument(
-        "map_T_base: must be finite, with a symmetric positive semidefinite covariance");
-  }
+  require_usable(map_T_base);
   state_ = std::make_unique<State>(params, map_T_base, std::move(map));
 }
 LandmarkFilter::~LandmarkFilter() = default;
+LandmarkFilter::LandmarkFilter(const LandmarkFilter& other)
+    : state_(std::make_unique<State>(*other.state_)) {}
+LandmarkFilter& LandmarkFilter::operator=(const LandmarkFilter& other) {
+  if (this != &other) *state_ = *other.state_;
+  return *this;
+}
 LandmarkFilter::LandmarkFilter(LandmarkFilter&&) noexcept = default;
 LandmarkFilter& LandmarkFilter::operator=(LandmarkFilter&&) noexcept = default;
 
@@ -269,10 +279,19 @@ FeatureUpdate LandmarkFilter::update(Time stamp, const FeatureObservations& obse
     if (input.verdict == ObservationVerdict::kNoLandmark) s.consider(stamp, input, update);
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    auto& verdicts = i < observations.points.size() ? update.points : update.lines;
-    verdicts.push_back(inputs[i].verdict);
+    const bool is_point = i < observations.points.size();
+    (is_point ? update.points : update.lines).push_back(inputs[i].verdict);
+    if (is_point) update.of_map.push_back(inputs[i].of_map);
   }
   return update;
+}
+
+void LandmarkFilter::reset(const PoseEstimate& map_T_base) {
+  require_usable(map_T_base);
+  State& s = *state_;
+  s.state = LandmarkState(map_T_base, s.params.max_landmarks);
+  s.records.clear();
+  s.tentative = TentativeList(s.params.hits, 0.5 * s.params.separation);
 }
 
 PoseEstimate LandmarkFilter::map_T_base() const { return state_->state.pose(); }

@@ -10,12 +10,27 @@
 namespace falko_slam {
 
 LandmarkState::LandmarkState(const PoseEstimate& pose, int most)
-    : most_(most),
-      mean_(Eigen::VectorXd::Zero(3 + 2 * most)),
-      covariance_(Eigen::MatrixXd::Zero(3 + 2 * most, 3 + 2 * most)),
-      slopes_(3 + 2 * most, 2 * static_cast<int>(kBatch)) {
-  mean_.head<3>() << pose.pose.x(), pose.pose.y(), pose.pose.theta();
-  covariance_.topLeftCorner<3, 3>() = pose.covariance;
+    : most_(most), mean_(3), covariance_(pose.covariance) {
+  mean_ << pose.pose.x(), pose.pose.y(), pose.pose.theta();
+}
+
+LandmarkState::LandmarkState(const LandmarkState& other)
+    : most_(other.most_),
+      landmarks_(other.landmarks_),
+      mean_(other.mean_.head(other.size())),
+      covariance_(other.covariance()) {}
+
+LandmarkState& LandmarkState::operator=(const LandmarkState& other) {
+  if (this != &other) *this = LandmarkState(other);
+  return *this;
+}
+
+void LandmarkState::make_room() {
+  const int needed = size() + 2, all = 3 + 2 * most_;
+  if (mean_.size() >= needed) return;
+  const int room = std::min(all, std::max(needed, 2 * static_cast<int>(mean_.size())));
+  mean_.conservativeResize(room);
+  covariance_.conservativeResize(room, room);
 }
 
 PoseEstimate LandmarkState::pose() const {
@@ -45,6 +60,7 @@ void LandmarkState::loosen(int landmark, const Eigen::Vector2d& variances) {
 void LandmarkState::add(const Eigen::Vector2d& mean,
                         const Eigen::Matrix<double, 2, 3>& dlandmark_dpose,
                         const Eigen::Matrix2d& noise) {
+  make_room();
   const int at = size();
   mean_.segment<2>(at) = mean;
   const Eigen::MatrixXd cross = dlandmark_dpose * covariance_.topRows<3>().leftCols(at);
@@ -117,6 +133,7 @@ double LandmarkState::correct(const std::vector<Row>& rows) {
 // Keeps up the lower triangle and the blocks on the diagonal only.
 double LandmarkState::correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step) {
   const int n = size(), m = 2 * static_cast<int>(rows.size());
+  if (slopes_.rows() < n) slopes_.resize(n, 2 * static_cast<int>(kBatch));
   auto V = slopes_.topLeftCorner(n, m);
   Eigen::Matrix<double, 2 * kBatch, 2 * kBatch> space;
   auto S = space.topLeftCorner(m, m);

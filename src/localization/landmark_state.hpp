@@ -10,10 +10,16 @@
 namespace falko_slam {
 
 /// Mean and covariance of a pose (x, y, theta) and of landmarks of two numbers each, in one matrix
-/// that is allocated once. Landmark i is at 3 + 2 i.
+/// that grows to what it holds at most and stays so; a copy is as small as it can be. Landmark i is
+/// at 3 + 2 i.
 class LandmarkState {
  public:
   LandmarkState(const PoseEstimate& pose, int most);
+  LandmarkState(const LandmarkState& other);
+  LandmarkState& operator=(const LandmarkState& other);
+  LandmarkState(LandmarkState&&) = default;
+  LandmarkState& operator=(LandmarkState&&) = default;
+  ~LandmarkState() = default;
 
   int landmarks() const { return landmarks_; }
   int most() const { return most_; }
@@ -60,6 +66,7 @@ class LandmarkState {
 
  private:
   static constexpr std::size_t kBatch = 8;
+  void make_room();
   double correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step);
 
   int most_;

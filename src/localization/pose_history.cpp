@@ -27,15 +27,19 @@ PoseEstimate part_of_motion(const PoseEstimate& motion, double share) {
   return {Pose2::exp(share * motion.pose.log()), share * motion.covariance};
 }
 
-PoseHistory::PoseHistory(PoseFilter filter, Time stamp, const PoseHistoryParams& params)
-    : params_(params), filter_(std::move(filter)) {
+PoseHistory::PoseHistory(LandmarkFilter filter, Time stamp, const PoseHistoryParams& params)
+    : params_(params),
+      filter_(std::move(filter)),
+      origin_stamp_(stamp),
+      origin_(filter_),
+      motion_stamp_(stamp) {
   validate(params_);
-  restart(stamp);
 }
 
 void PoseHistory::restart(Time stamp) {
   inputs_.clear();
-  origin_ = filter_.map_T_base();
+  if (stamp < motion_stamp_) filter_.reset(filter_.map_T_base());
+  origin_ = filter_;
   origin_stamp_ = motion_stamp_ = stamp;
 }
 
@@ -76,15 +80,14 @@ InputVerdict PoseHistory::add_motion(Time stamp, const PoseEstimate& motion) {
   }
   const bool late = stamp < motion_stamp_;
   inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(place),
-                 Input{stamp, motion, {}, {}, {}});
+                 Input{stamp, motion, {}, std::nullopt, {}});
   motion_stamp_ = std::max(motion_stamp_, stamp);
   replay(motion_before(place), kNone);
   trim();
   return late ? InputVerdict::kLate : InputVerdict::kInOrder;
 }
 
-InputReport PoseHistory::add_observations(Time stamp,
-                                          std::vector<LandmarkObservation> observations) {
+InputReport PoseHistory::add_observations(Time stamp, FeatureObservations observations) {
   if (is_too_old(stamp)) return {InputVerdict::kTooOld, std::nullopt};
   if (stamp - motion_stamp_ > from_seconds(params_.max_ahead)) {
     return {InputVerdict::kTooNew, std::nullopt};
@@ -93,23 +96,23 @@ InputReport PoseHistory::add_observations(Time stamp,
   const std::size_t place = place_for(stamp, false);
   const bool late = place < inputs_.size();
   inputs_.insert(inputs_.begin() + static_cast<std::ptrdiff_t>(place),
-                 Input{stamp, std::nullopt, std::move(observations), {}, {}});
+                 Input{stamp, std::nullopt, std::move(observations), std::nullopt, {}});
   InputReport report{late ? InputVerdict::kLate : InputVerdict::kInOrder, replay(place, place)};
   return report;
 }
 
 // Does all inputs from this one on anew; what the wanted one did, if it holds observations.
-std::optional<PoseUpdate> PoseHistory::replay(std::size_t first, std::size_t wanted) {
-  filter_.reset(first > 0 ? inputs_[first - 1].after : origin_);
-  std::optional<PoseUpdate> result;
+std::optional<FeatureUpdate> PoseHistory::replay(std::size_t first, std::size_t wanted) {
+  filter_ = first > 0 ? *inputs_[first - 1].after : origin_;
+  std::optional<FeatureUpdate> result;
   for (std::size_t place = first; place < inputs_.size(); ++place) {
     Input& input = inputs_[place];
     advance(place);
     if (!input.motion) {
-      PoseUpdate update = filter_.update(input.observations);
+      FeatureUpdate update = filter_.update(input.stamp, input.observations);
       if (place == wanted) result = std::move(update);
     }
-    input.after = filter_.map_T_base();
+    input.after = filter_;
   }
   return result;
 }
@@ -139,7 +142,7 @@ void PoseHistory::trim() {
     if (goes && inputs_[i].motion) count = i + 1;
   }
   if (count == 0) return;
-  origin_ = inputs_[count - 1].after;
+  origin_ = *inputs_[count - 1].after;
   origin_stamp_ = inputs_[count - 1].stamp;
   inputs_.erase(inputs_.begin(), inputs_.begin() + static_cast<std::ptrdiff_t>(count));
 }

@@ -7,7 +7,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "falko_slam/common/chi_square.hpp"
 #include "falko_slam/localization/pose_filter.hpp"
@@ -94,6 +98,115 @@ TEST(LandmarkFilter, TakesNoPointBesideAnotherOne) {
   LandmarkFilter filter = filter_with();
   for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({point_at(5, 1)}));
   EXPECT_EQ(filter.update(at(0.3), points({point_at(5, 1.1)})).points[0], Verdict::kTooNear);
+}
+
+std::shared_ptr<const LandmarkIndex> map_of(std::vector<Landmark> landmarks) {
+  return std::make_shared<LandmarkIndex>(std::move(landmarks));
+}
+
+// Its covariance, Joseph's form or not, and its joint search are written anew: it must be the same.
+TEST(LandmarkFilter, IsThePoseFilterWhereAllIsInTheMap) {
+  std::mt19937_64 random = test::seeded_random();
+  const auto map = map_of(test::scattered_landmarks(200, 40.0, 1.0, 0.005, random));
+  const PoseEstimate start{{1.0, 2.0, 0.3}, pose_covariance(0.02, 0.01)};
+  LandmarkFilterParams params;
+  params.base_T_laser = kLaser;
+  LandmarkFilter filter(params, start, map);
+  PoseFilter plain({kLaser, params.association}, map, start);
+  const PoseEstimate motion{{0.1, 0.0, 0.02}, pose_covariance(2e-3, 1e-3)};
+  Pose2 truth = start.pose;
+  for (int i = 0; i < 20; ++i) {
+    truth = truth * motion.pose;
+    std::vector<LandmarkObservation> seen;
+    for (std::size_t k = 0; k < 12; ++k) {
+      seen.push_back(test::noisy(test::seen(ObservationModel::kCartesian, truth, kLaser,
+                                            map->landmarks()[k].position, kNoise),
+                                 random));
+    }
+    filter.predict(motion);
+    plain.predict(motion);
+    const FeatureUpdate update = filter.update(at(0.1 * i), points(seen));
+    EXPECT_NEAR(update.nis, plain.update(seen).nis, 1e-6);
+    ASSERT_EQ(update.of_map.size(), 12U);
+    EXPECT_EQ(update.of_map[3], 3U);
+    EXPECT_TRUE(filter.map_T_base().covariance.isApprox(plain.map_T_base().covariance, 1e-9));
+    EXPECT_LT(test::pose_error(filter.map_T_base().pose, plain.map_T_base().pose).norm(), 1e-9);
+  }
+  EXPECT_TRUE(filter.landmarks().empty());
+}
+
+TEST(LandmarkFilter, TakesAReflectorForNoCorner) {
+  const auto map = map_of({{7, {5.0, 1.0}, kNoise, LandmarkKind::kReflector}});
+  LandmarkFilterParams params;
+  params.base_T_laser = kLaser;
+  LandmarkFilter filter(params, kStart, map);
+  LandmarkObservation corner = point_at(5, 1);
+  corner.kind = LandmarkKind::kFeature;
+  const FeatureUpdate update = filter.update(at(0.0), points({corner, point_at(5, 1)}));
+  EXPECT_EQ(update.points[0], Verdict::kTentative);
+  EXPECT_EQ(update.points[1], Verdict::kUsed);
+  EXPECT_EQ(update.of_map[0], std::nullopt);
+  EXPECT_EQ(update.of_map[1], 0U);
+}
+
+TEST(LandmarkFilter, AsksTheMapForIds) {
+  const auto map = map_of({{7, {5.0, 1.0}, kNoise}, {8, {5.0, 1.05}, kNoise}});
+  LandmarkFilterParams params;
+  params.base_T_laser = kLaser;
+  LandmarkFilter filter(params, kStart, map);
+  LandmarkObservation known = point_at(5, 1), unknown = known;
+  known.id = 8;
+  unknown.id = 9;
+  const FeatureUpdate update = filter.update(at(0.0), points({known, unknown}));
+  EXPECT_EQ(update.of_map[0], 1U);
+  EXPECT_EQ(update.points[1], Verdict::kUnknownId);
+}
+
+// A map pins the pose down, landmarks beside it learn from that and hold it when the map is gone.
+TEST(LandmarkFilter, KeepsWhatTheMapTaughtIt) {
+  const auto map = map_of(
+      {{0, {6.0, 2.0}, test::diagonal(1e-3, 1e-3)}, {1, {6.0, -2.0}, test::diagonal(1e-3, 1e-3)}});
+  LandmarkFilterParams params;
+  params.base_T_laser = kLaser;
+  params.point_wander = 0.0;
+  LandmarkFilter filter(params, {{0.05, -0.04, 0.01}, pose_covariance(0.1, 0.03)}, map);
+  LandmarkObservation corners[] = {point_at(4, 1), point_at(4, -3)};
+  for (auto& corner : corners) corner.kind = LandmarkKind::kFeature;
+  for (int i = 0; i < 40; ++i) {
+    filter.update(at(0.1 * i), points({point_at(6, 2), point_at(6, -2), corners[0], corners[1]}));
+  }
+  EXPECT_LT(filter.map_T_base().pose.translation().norm(), 0.005);
+  filter.predict({{}, pose_covariance(0.1, 0.03)});
+  for (int i = 40; i < 60; ++i) filter.update(at(0.1 * i), points({corners[0], corners[1]}));
+  EXPECT_LT(filter.map_T_base().pose.translation().norm(), 0.005);
+  EXPECT_LT(filter.map_T_base().covariance(0, 0), 1e-4);
+}
+
+TEST(LandmarkFilter, LetsLandmarksWanderOverTheWay) {
+  LandmarkFilterParams params;
+  params.point_wander = 0.03;
+  LandmarkFilter filter = filter_with(params);
+  LandmarkObservation corner = point_at(5, 1);
+  corner.kind = LandmarkKind::kFeature;
+  for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({corner}));
+  const double before = filter.landmarks().at(0).covariance(0, 0);
+  filter.predict({{0.0, 0.0, 0.5}, kStart.covariance});  // turning shows no other side of it
+  EXPECT_EQ(filter.landmarks()[0].covariance(0, 0), before);
+  for (int i = 0; i < 4; ++i) filter.predict({{1.0, 0.0, 0.0}, kStart.covariance});
+  EXPECT_NEAR(filter.landmarks()[0].covariance(0, 0), before + 4.0 * 0.03 * 0.03, 1e-12);
+}
+
+TEST(LandmarkFilter, IsResetWithoutItsLandmarksAndCopiedWithThem) {
+  LandmarkFilter filter = filter_with();
+  for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({point_at(5, 1)}));
+  LandmarkFilter copy = filter;
+  filter.reset({{1.0, 0.0, 0.0}, kStart.covariance});
+  EXPECT_TRUE(filter.landmarks().empty());
+  EXPECT_EQ(filter.map_T_base().pose.x(), 1.0);
+  EXPECT_EQ(copy.update(at(0.3), points({point_at(5, 1)})).points[0], Verdict::kUsed);
+  filter = copy;
+  EXPECT_EQ(filter.covariance(), copy.covariance());
+  EXPECT_THROW(filter.reset({{}, -kStart.covariance}), std::invalid_argument);
 }
 
 TEST(LandmarkFilter, LetsNothingInThatIsNotFinite) {

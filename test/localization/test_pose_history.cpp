@@ -29,7 +29,7 @@ std::shared_ptr<const LandmarkIndex> hall() {
 
 PoseHistory history_on(const std::shared_ptr<const LandmarkIndex>& map,
                        const PoseHistoryParams& params = {}) {
-  return {PoseFilter({}, map, {{}, pose_covariance(0.05, 0.01)}), at(0), params};
+  return {LandmarkFilter({}, {{}, pose_covariance(0.05, 0.01)}, map), at(0), params};
 }
 
 // Motions every 20 ms, scans every 125 ms, of a vehicle on a circle.
@@ -60,7 +60,7 @@ void feed(PoseHistory& history, const Event& event) {
   if (event.is_motion) {
     history.add_motion(event.stamp, event.motion);
   } else {
-    history.add_observations(event.stamp, event.observations);
+    history.add_observations(event.stamp, {event.observations, {}});
   }
 }
 
@@ -109,19 +109,41 @@ TEST(PoseHistory, GivesTheSameWhereScansComeLateAndTheOldIsForgotten) {
   EXPECT_LT(late.inputs(), 40U);
 }
 
+// Some of what is seen is in no map and gets into the state: that must be undone and done anew.
+TEST(PoseHistory, GivesTheSameWithLandmarksInTheState) {
+  const auto map = hall();
+  std::vector<Event> events = drive(*map);
+  for (Event& event : events) {
+    for (std::size_t k = 4; k < event.observations.size(); ++k) {
+      event.observations[k].kind = LandmarkKind::kFeature;
+    }
+  }
+  PoseHistory in_order = history_on(map), late = history_on(map);
+  for (const Event& event : events) feed(in_order, event);
+  EXPECT_EQ(in_order.filter().landmarks().size(), 4U);
+  const auto arrival = [](const Event& event) {
+    return event.stamp + std::chrono::milliseconds(event.is_motion ? 0 : 470);
+  };
+  std::stable_sort(events.begin(), events.end(),
+                   [&](const Event& a, const Event& b) { return arrival(a) < arrival(b); });
+  for (const Event& event : events) feed(late, event);
+  expect_same(late, in_order);
+  EXPECT_EQ(late.filter().covariance(), in_order.filter().covariance());
+}
+
 TEST(PoseHistory, IsThePlainFilterWhereMotionsEndAtTheScans) {
   const auto map = hall();
   std::vector<Event> events = drive(*map);
   PoseHistory history = history_on(map);
-  PoseFilter filter({}, map, {{}, pose_covariance(0.05, 0.01)});
+  LandmarkFilter filter({}, {{}, pose_covariance(0.05, 0.01)}, map);
   for (Event& event : events) {
     if (event.is_motion) {
       history.add_motion(event.stamp, event.motion);
       filter.predict(event.motion);
     } else if (event.stamp.time_since_epoch() % std::chrono::milliseconds(20) == Duration(0)) {
-      const InputReport report = history.add_observations(event.stamp, event.observations);
+      const InputReport report = history.add_observations(event.stamp, {event.observations, {}});
       ASSERT_TRUE(report.update);
-      EXPECT_EQ(report.update->nis, filter.update(event.observations).nis);
+      EXPECT_EQ(report.update->nis, filter.update(event.stamp, {event.observations, {}}).nis);
     }
   }
   EXPECT_EQ(history.map_T_base().pose.x(), filter.map_T_base().pose.x());

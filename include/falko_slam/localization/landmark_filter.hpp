@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "falko_slam/common/time.hpp"
@@ -56,10 +57,11 @@ struct ActiveLandmark {
 
 struct FeatureUpdate {
   std::vector<ObservationVerdict> points;  ///< one per point
-  std::vector<ObservationVerdict> lines;   ///< one per line
-  double nis = 0.0;                        ///< of the pairs that were used
+  /// One per point: the landmark of the map that it corrected the pose with, by its place there.
+  std::vector<std::optional<std::size_t>> of_map;
+  std::vector<ObservationVerdict> lines;  ///< one per line
+  double nis = 0.0;                       ///< of the pairs that were used
   int degrees_of_freedom = 0;
-  int of_map = 0;      ///< pairs with landmarks of the map
   int dropped = 0;     ///< landmarks that left the state
   bool proven = true;  ///< the search was not cut short by max_nodes
 };
@@ -80,6 +82,8 @@ class LandmarkFilter {
   LandmarkFilter(const LandmarkFilterParams& params, const PoseEstimate& map_T_base,
                  std::shared_ptr<const LandmarkIndex> map = nullptr);
   ~LandmarkFilter();
+  LandmarkFilter(const LandmarkFilter& other);
+  LandmarkFilter& operator=(const LandmarkFilter& other);
   LandmarkFilter(LandmarkFilter&&) noexcept;
   LandmarkFilter& operator=(LandmarkFilter&&) noexcept;
 
@@ -90,6 +94,10 @@ class LandmarkFilter {
   FeatureUpdate update(Time stamp, const FeatureObservations& observations);
 
   PoseEstimate map_T_base() const;
+  /// The pose is taken as it is, landmarks of the state are dropped. Throws std::invalid_argument
+  /// as the constructor does.
+  void reset(const PoseEstimate& map_T_base);
+
   std::vector<ActiveLandmark> landmarks() const;
   /// Of pose (x, y, theta) and landmarks, two rows each in the order of landmarks().
   Eigen::MatrixXd covariance() const;
