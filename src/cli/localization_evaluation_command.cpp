@@ -105,6 +105,11 @@ void add_simulated(CLI::App* verb, EvaluateLocalizationOptions& options) {
   verb->add_option("--survey-noise", simulated.survey_noise,
                    "of the map's reflectors [m], default 0")
       ->check(number_in(0.0, 1.0));
+  verb->add_option("--slip", simulated.odometry.slip,
+                   "what the localizer takes for the slip of the wheel [m / sqrt(m)]")
+      ->check(number_in(0.0, 1.0));
+  verb->add_option("--steer", simulated.odometry.steer, "the same of the steering [rad sqrt(m)]")
+      ->check(number_in(0.0, 1.0));
   verb->add_flag("--perfect-calibration", simulated.perfect_calibration,
                  "the vehicle is what it is taken for");
   verb->add_flag("--no-deskew", options.no_deskew, "scans are taken for instants");

@@ -35,7 +35,8 @@ SimulatedDrive drive_of(const Options& options, const Scenario& scenario, std::u
   CalibrationSpread spread;
   if (options.perfect_calibration) spread = {0.0, 0.0, 0.0, 0.0, 0.0};
   Progress progress("scans");
-  return simulate_drive(scenario, spread, {}, seed, options.duration, [&] { progress.step(); });
+  return simulate_drive(scenario, spread, options.odometry, seed, options.duration,
+                        [&] { progress.step(); });
 }
 
 LandmarkMap map_of(const Options& options, const World& world, std::uint64_t seed) {
@@ -57,6 +58,17 @@ void print_run(std::uint64_t seed, const LocalizationRun& run) {
       run.nees, run.nis, run.landmarks, share(run.status[0], run.scans),
       share(run.status[1], run.scans), share(run.status[2] + run.status[3], run.scans),
       run.wrong_ok, 1e3 * run.mean_time, 1e3 * run.max_time);
+}
+
+// Why it was not kOk, in shares of all scans.
+void print_reasons(const LocalizationRun& run) {
+  std::printf("       ");
+  for (std::size_t i = 1; i < kLocalizationReasonCount; ++i) {
+    if (run.reasons[i] == 0) continue;
+    std::printf(" %s %.1f %%", name_of(static_cast<LocalizationReason>(i)),
+                share(run.reasons[i], run.scans));
+  }
+  std::printf("\n");
 }
 
 nlohmann::json as_json(std::uint64_t seed, const LocalizationRun& run) {
@@ -91,6 +103,7 @@ nlohmann::json evaluate_drives(const Options& options, const Scenario& scenario)
     const LocalizationRun run =
         evaluate_localization(drive, params, map_of(options, scenario.world, seed));
     print_run(seed, run);
+    print_reasons(run);
     std::fflush(stdout);
     runs.push_back(as_json(seed, run));
   }

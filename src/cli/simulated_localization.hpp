@@ -8,6 +8,7 @@
 
 #include "falko_slam/evaluation/kidnap_evaluation.hpp"
 #include "falko_slam/evaluation/localization_evaluation.hpp"
+#include "falko_slam/vehicle/odometry_noise.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -18,6 +19,7 @@ struct SimulatedLocalizationOptions {
   double duration = 1e6;      ///< of each drive at most [s]
   double survey_noise = 0.0;  ///< of the map [m]
   int kidnaps = 0;            ///< 0: drives without any
+  OdometryNoise odometry;
   bool perfect_calibration = false;
   std::string parameters;  ///< YAML file with groups of visit_localizer_fields(); empty: none
   std::string json;        ///< empty: none

@@ -21,6 +21,7 @@ class RunTally {
   void add(const LocalizerReport& report, double seconds) {
     ++run_.scans;
     ++run_.status[static_cast<std::size_t>(report.status)];
+    ++run_.reasons[static_cast<std::size_t>(report.reason)];
     run_.mean_time += seconds;
     run_.max_time = std::max(run_.max_time, seconds);
     nis_ += report.agreement.nis;

@@ -13,7 +13,7 @@ struct ReasonText {
   const char* text;
 };
 // By LocalizationReason.
-constexpr std::array<ReasonText, 17> kReasons = {{
+constexpr std::array<ReasonText, kLocalizationReasonCount> kReasons = {{
     {"none", "scans agree with the map"},
     {"no pose", "no pose was given and none is searched for"},
     {"contradicted", "what is seen does not fit the map at the pose that was believed"},

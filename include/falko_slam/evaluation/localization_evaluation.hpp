@@ -29,8 +29,9 @@ struct LocalizationRun {
   double nis = 0.0;                                     ///< the same of innovations
   double landmarks = 0.0;                               ///< used per scan, mean
   std::array<std::size_t, 4> status{};                  ///< scans by LocalizationStatus
-  std::size_t wrong_ok = 0;                             ///< kOk, but not the right pose
-  double mean_time = 0.0, max_time = 0.0;               ///< of add_scan() [s]
+  std::array<std::size_t, kLocalizationReasonCount> reasons{};  ///< by LocalizationReason
+  std::size_t wrong_ok = 0;                                     ///< kOk, but not the right pose
+  double mean_time = 0.0, max_time = 0.0;                       ///< of add_scan() [s]
 };
 
 /// `params` but for base_T_laser, which is the drive's.

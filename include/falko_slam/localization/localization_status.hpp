@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace falko_slam {
@@ -41,6 +42,7 @@ enum class LocalizationReason {
   kFewLandmarks,       ///< too few landmarks for a while
   kUncertain,          ///< the covariance is beyond the limits of kOk
 };
+constexpr std::size_t kLocalizationReasonCount = 17;
 const char* name_of(LocalizationReason reason);
 
 /// A sentence for people.
