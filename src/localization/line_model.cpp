@@ -9,6 +9,18 @@
 
 namespace falko_slam {
 
+// The face turns about its middle: its offset from the laser changes by how far that lies beside
+// the foot of the perpendicular.
+LineObservation observation_of(const DetectedFace& face) {
+  const Eigen::Vector2d& normal = face.line.normal;
+  Eigen::Matrix2d J = Eigen::Matrix2d::Identity();
+  J(1, 0) = Eigen::Vector2d(-normal.y(), normal.x()).dot(face.middle);
+  return {{std::atan2(normal.y(), normal.x()), face.line.offset},
+          J * face.covariance * J.transpose(),
+          face.middle,
+          face.half_length};
+}
+
 bool is_usable(const LineObservation& observation) {
   return observation.value.allFinite() && observation.value.y() > 0.0 &&
          observation.middle.allFinite() && std::isfinite(observation.half_length) &&

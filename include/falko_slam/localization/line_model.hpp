@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "falko_slam/features/face_detector.hpp"
 #include "falko_slam/geometry/pose2.hpp"
 
 namespace falko_slam {
@@ -16,6 +17,9 @@ struct LineObservation {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();      ///< of what was seen of it, in laser [m]
   double half_length = 0.0;                              ///< [m]
 };
+
+/// Of a face that was found in a scan.
+LineObservation observation_of(const DetectedFace& face);
 
 /// All finite, an offset and a half length above zero, a positive definite covariance.
 bool is_usable(const LineObservation& observation);
