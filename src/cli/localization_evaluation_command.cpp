@@ -117,6 +117,17 @@ void add_simulated(CLI::App* verb, EvaluateLocalizationOptions& options) {
                    "carries the vehicle from the drive of the first seed to that of the last so "
                    "many times")
       ->check(CLI::Range(0, 100000));
+  verb->add_flag("--paths", simulated.paths,
+                 "the named paths of the drive, reflectors hidden: with landmarks in the state, "
+                 "with Algorithm 1, with odometry");
+  verb->add_option("--map", simulated.map, "with --paths: on the corners of this map, too")
+      ->check(CLI::ExistingFile);
+  verb->add_option("--scatter", simulated.variation.scatter,
+                   "the world's things are scattered so many times as much")
+      ->check(number_in(0.0, 100.0));
+  verb->add_option("--bulge", simulated.variation.bulge, "they bulge so many times as much")
+      ->check(number_in(0.0, 100.0));
+  verb->add_option("--scatter-seed", simulated.variation.scatter_seed, "they stand otherwise");
   verb->add_option("--parameters", simulated.parameters,
                    "YAML file with parameters of the localizer");
 }

@@ -14,11 +14,10 @@
 #include "falko_slam/localization/localizer_fields.hpp"
 #include "falko_slam/simulation/laser_scanner.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
+#include "path_report.hpp"
 
 namespace falko_slam {
 namespace cli {
-namespace {
-
 using Options = SimulatedLocalizationOptions;
 
 LocalizerParams parameters_of(const Options& options, const World& world) {
@@ -43,6 +42,8 @@ LandmarkMap map_of(const Options& options, const World& world, std::uint64_t see
   std::mt19937_64 random(seed);
   return surveyed_map(world, options.survey_noise, random);
 }
+
+namespace {
 
 double share(std::size_t count, std::size_t all) {
   return 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(1, all));
@@ -163,7 +164,8 @@ nlohmann::json evaluate_kidnapping(const Options& options, const Scenario& scena
 }  // namespace
 
 void evaluate_simulated_localization(const Options& options) {
-  const Scenario scenario = read_scenario(options.scenario);
+  const Scenario scenario = read_scenario(options.scenario, options.variation);
+  if (options.paths) return evaluate_simulated_paths(options, scenario);
   const nlohmann::json document = options.kidnaps > 0 ? evaluate_kidnapping(options, scenario)
                                                       : evaluate_drives(options, scenario);
   std::printf("%s\n", describe_resources().c_str());

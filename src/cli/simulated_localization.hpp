@@ -8,6 +8,7 @@
 
 #include "falko_slam/evaluation/kidnap_evaluation.hpp"
 #include "falko_slam/evaluation/localization_evaluation.hpp"
+#include "falko_slam/simulation/scenario_file.hpp"
 #include "falko_slam/vehicle/odometry_noise.hpp"
 
 namespace falko_slam {
@@ -21,10 +22,20 @@ struct SimulatedLocalizationOptions {
   int kidnaps = 0;            ///< 0: drives without any
   OdometryNoise odometry;
   bool perfect_calibration = false;
-  std::string parameters;  ///< YAML file with groups of visit_localizer_fields(); empty: none
-  std::string json;        ///< empty: none
+  bool paths = false;        ///< the named paths of the drive instead of all of it
+  WorldVariation variation;  ///< of the scenario
+  std::string map;           ///< landmark map with corners, for paths on it; empty: none
+  std::string parameters;    ///< YAML file with groups of visit_localizer_fields(); empty: none
+  std::string json;          ///< empty: none
   LocalizerParams localizer;
 };
+
+/// What the scenario's vehicle is taken for.
+SimulatedDrive drive_of(const SimulatedLocalizationOptions& options, const Scenario& scenario,
+                        std::uint64_t seed);
+LocalizerParams parameters_of(const SimulatedLocalizationOptions& options, const World& world);
+LandmarkMap map_of(const SimulatedLocalizationOptions& options, const World& world,
+                   std::uint64_t seed);
 
 /// The localizer on simulated drives of a scenario; prints the figures.
 void evaluate_simulated_localization(const SimulatedLocalizationOptions& options);

@@ -37,7 +37,7 @@ void require_usable(const PoseEstimate& map_T_base) {
 struct Input {
   std::optional<SeenFeature> seen;
   ObservationVerdict verdict = ObservationVerdict::kInvalid;
-  std::optional<std::size_t> of_map;  // the landmark there
+  std::optional<std::size_t> of_map = {};  // the landmark there
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "covariance_check.hpp"
 
@@ -96,6 +97,16 @@ std::optional<std::size_t> LandmarkIndex::find(std::uint32_t id) const {
   const auto found = place_of_.find(id);
   if (found == place_of_.end()) return std::nullopt;
   return found->second;
+}
+
+std::shared_ptr<const LandmarkIndex> landmark_index(const LandmarkMap& map) {
+  validate(map);
+  std::vector<Landmark> landmarks;
+  for (const MapLandmark& landmark : map.landmarks) {
+    landmarks.push_back({static_cast<std::uint32_t>(landmark.id), landmark.position,
+                         landmark.covariance, landmark.kind});
+  }
+  return std::make_shared<LandmarkIndex>(std::move(landmarks));
 }
 
 }  // namespace falko_slam

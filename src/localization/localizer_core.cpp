@@ -14,16 +14,6 @@ namespace {
 constexpr int kSetBack = 3;  // motions in a row from before the track: the clock, not one of them
 constexpr double kLongestSlip = 0.5;  // without any scan that agrees [s]
 
-std::shared_ptr<const LandmarkIndex> index_of(const LandmarkMap& map) {
-  validate(map);
-  std::vector<Landmark> landmarks;
-  for (const MapLandmark& landmark : map.landmarks) {
-    landmarks.push_back({static_cast<std::uint32_t>(landmark.id), landmark.position,
-                         landmark.covariance, landmark.kind});
-  }
-  return std::make_shared<LandmarkIndex>(std::move(landmarks));
-}
-
 bool is_usable(const PoseEstimate& motion) {
   return motion.pose.translation().allFinite() && std::isfinite(motion.pose.theta()) &&
          is_positive_semidefinite<3>(motion.covariance);
@@ -75,7 +65,7 @@ std::vector<LandmarkObservation> observations_of(const ScanLandmarks& landmarks)
 
 Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
     : params_(validated(params)),
-      index_(index_of(map)),
+      index_(landmark_index(map)),
       filter_params_{params_.base_T_laser, params_.association},
       detector_(params_, map),
       evidence_(params_.monitor.evidence, filter_params_, map, index_,

@@ -8,6 +8,7 @@
 
 #include "falko_slam/localization/localizer.hpp"
 #include "falko_slam/localization/odometry_track.hpp"
+#include "falko_slam/localization/pose_filter.hpp"
 #include "falko_slam/localization/pose_hypotheses.hpp"
 #include "falko_slam/localization/pose_monitor.hpp"
 #include "falko_slam/localization/scan_landmarks.hpp"

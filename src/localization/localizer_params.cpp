@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "falko_slam/common/validation.hpp"
+#include "falko_slam/localization/pose_filter.hpp"
 
 namespace falko_slam {
 namespace {

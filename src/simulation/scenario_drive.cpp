@@ -28,6 +28,10 @@ FollowStep read_follow(const YamlFields& fields, const ActuatorModel& actuators)
     follow.corner_radius = radius->number({0.0, 1000.0});
   }
   fields.field("backward", follow.backward);
+  fields.field("name", follow.name);
+  if (const auto until = fields.find("reflectors_until")) {
+    follow.reflectors_until = until->number({0.0, 1e5});
+  }
   return follow;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "falko_slam/common/validation.hpp"
 #include "falko_slam/common/yaml_fields.hpp"
 #include "falko_slam/simulation/scenario_fields.hpp"
 #include "scenario_drive.hpp"
@@ -40,13 +41,19 @@ VehicleModel read_vehicle(YamlFields& scenario) {
 
 }  // namespace
 
-Scenario read_scenario(const std::string& path) {
+void validate(const WorldVariation& variation) {
+  require_in_range("scatter", variation.scatter, 0.0, 100.0);
+  require_in_range("bulge", variation.bulge, 0.0, 100.0);
+}
+
+Scenario read_scenario(const std::string& path, const WorldVariation& variation) {
+  validate(variation);
   YamlFields fields(path);
   Scenario scenario;
   scenario.name = std::filesystem::path(path).stem().string();
   fields.field("name", scenario.name);
   if (const auto start = fields.find("start")) scenario.world_T_start = read_pose(*start);
-  scenario.world = read_world(fields);
+  scenario.world = read_world(fields, variation);
   scenario.vehicle = read_vehicle(fields);
   scenario.laser = read_laser(fields);
   scenario.drive = read_drive(fields, scenario.vehicle.actuators);

@@ -4,6 +4,8 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "scenario_values.hpp"
 #include "thing_copies.hpp"
@@ -39,12 +41,31 @@ Outline read_lines(const YamlValue& value, bool closed, std::size_t surface) {
   return outline;
 }
 
+// Each face becomes a parabola of chords: counter-clockwise outlines, so outward is to the right.
+void add_bulge(Shape& shape, double bulge) {
+  constexpr int kChords = 4;
+  if (bulge == 0.0) return;
+  std::vector<Face> faces;
+  for (const Face& face : shape.faces) {
+    const Eigen::Vector2d way = face.to - face.from;
+    const Eigen::Vector2d outward = Eigen::Vector2d(way.y(), -way.x()).normalized();
+    const auto place = [&](int i) -> Eigen::Vector2d {
+      const double share = static_cast<double>(i) / kChords;
+      return face.from + share * way + 4.0 * share * (1.0 - share) * bulge * outward;
+    };
+    for (int i = 0; i < kChords; ++i) faces.push_back({place(i), place(i + 1), face.surface});
+  }
+  shape.faces = std::move(faces);
+}
+
 Outline read_box(const YamlFields& box, const std::optional<Eigen::Vector2d>& usual,
-                 std::size_t surface) {
+                 double bulge_factor, std::size_t surface) {
   Outline outline;
   if (const auto at = box.find("at")) outline.at = read_pose(*at);
   const bool given = !usual || box.has("size");
   add_box(outline.shape, {}, given ? read_size(box.at("size")) : *usual, surface);
+  const auto bulge = box.find("bulge");
+  if (bulge) add_bulge(outline.shape, bulge_factor * bulge->number({0.0, 1.0}));
   return outline;
 }
 
@@ -105,16 +126,18 @@ Thing ThingReader::read(const YamlValue& value) {
   } else {
     const YamlFields shape(what);
     if (!fields.has("moves")) shape.at("at");
-    if (kind == "box") outline = read_box(shape, std::nullopt, surface_of(fields, "concrete"));
+    if (kind == "box")
+      outline = read_box(shape, std::nullopt, variation_.bulge, surface_of(fields, "concrete"));
     const Eigen::Vector2d pallet(1.2, 0.8);  // EUR
-    if (kind == "pallet") outline = read_box(shape, pallet, surface_of(fields, "cardboard"));
+    if (kind == "pallet")
+      outline = read_box(shape, pallet, variation_.bulge, surface_of(fields, "cardboard"));
     if (kind == "column") outline = read_cylinder(shape, 0.2, surface_of(fields, "concrete"));
     if (kind == "reflector") outline = read_cylinder(shape, 0.04, surface_of(fields, "reflector"));
     shape.refuse_unknown();
   }
   Thing thing;
   thing.shape = outline.shape;
-  thing.copies = read_copies(fields, outline.at, seed, number_++);
+  thing.copies = read_copies(fields, outline.at, variation_.scatter, seed, number_++);
   read_body(fields, thing);
   fields.refuse_unknown();
   return thing;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "falko_slam/common/yaml_fields.hpp"
+#include "falko_slam/simulation/scenario_file.hpp"
 #include "falko_slam/simulation/world.hpp"
 
 namespace falko_slam {
@@ -22,7 +23,8 @@ struct Thing {
 class ThingReader {
  public:
   /// `surfaces` must outlive it.
-  explicit ThingReader(const std::vector<Surface>& surfaces) : surfaces_(surfaces) {}
+  ThingReader(const std::vector<Surface>& surfaces, const WorldVariation& variation)
+      : surfaces_(surfaces), variation_(variation) {}
 
   Thing read(const YamlValue& value);
 
@@ -32,6 +34,7 @@ class ThingReader {
   std::size_t surface_of(const YamlFields& thing, const std::string& usual) const;
 
   const std::vector<Surface>& surfaces_;
+  WorldVariation variation_;
   std::uint64_t number_ = 0;  ///< of the next thing
 };
 

@@ -46,14 +46,15 @@ std::vector<Surface> built_in_surfaces() {
           {"glass", 0.05, 0.0}, {"reflector", 0.3, 500.0}};
 }
 
-World read_world(const YamlFields& scenario) {
+World read_world(const YamlFields& scenario, const WorldVariation& variation) {
   World world;
   world.surfaces = built_in_surfaces();
   if (const auto surfaces = scenario.find("surfaces")) read_surfaces(*surfaces, world.surfaces);
-  ThingReader reader(world.surfaces);
+  ThingReader reader(world.surfaces, variation);
   if (const auto seed = scenario.find("scatter_seed")) {
     reader.seed = static_cast<std::uint64_t>(seed->integer(0));
   }
+  if (variation.scatter_seed) reader.seed = *variation.scatter_seed;
   std::size_t pieces = 0;
   for (const YamlValue& value : scenario.at("world").items()) {
     const Thing thing = reader.read(value);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "falko_slam/common/yaml_fields.hpp"
+#include "falko_slam/simulation/scenario_file.hpp"
 #include "falko_slam/simulation/world.hpp"
 
 namespace falko_slam {
@@ -11,6 +12,6 @@ namespace falko_slam {
 std::vector<Surface> built_in_surfaces();
 
 /// What a scenario's fields `surfaces`, `scatter_seed` and `world` describe.
-World read_world(const YamlFields& scenario);
+World read_world(const YamlFields& scenario, const WorldVariation& variation = {});
 
 }  // namespace falko_slam

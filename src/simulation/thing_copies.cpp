@@ -86,10 +86,10 @@ double scattered(std::uint64_t seed, std::uint64_t thing, std::uint64_t draw) {
 }
 
 std::vector<Pose2> read_copies(const YamlFields& thing, const Pose2& world_T_thing,
-                               std::uint64_t seed, std::uint64_t number) {
+                               double scatter_factor, std::uint64_t seed, std::uint64_t number) {
   const std::vector<Step> steps = read_repeats(thing);
   const std::set<std::size_t> without = read_without(thing, steps.size());
-  const Step scatter = read_scatter(thing);
+  const Step scatter = scatter_factor * read_scatter(thing);
   std::vector<Pose2> copies;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (without.count(i) > 0) continue;

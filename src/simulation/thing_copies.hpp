@@ -16,8 +16,9 @@ namespace falko_slam {
 double scattered(std::uint64_t seed, std::uint64_t thing, std::uint64_t draw);
 
 /// Where the copies of a thing of the world are that stands at `world_T_thing`: as its fields
-/// `repeat`, `without` and `scatter` say. `number` is that of the thing in the list.
+/// `repeat`, `without` and `scatter`, times a factor, say. `number` is that of the thing in the
+/// list.
 std::vector<Pose2> read_copies(const YamlFields& thing, const Pose2& world_T_thing,
-                               std::uint64_t seed, std::uint64_t number);
+                               double scatter_factor, std::uint64_t seed, std::uint64_t number);
 
 }  // namespace falko_slam

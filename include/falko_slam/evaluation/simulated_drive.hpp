@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "falko_slam/geometry/pose_estimate.hpp"
@@ -32,10 +33,18 @@ struct DriveInputEvent {
   std::optional<LaserScan> scan;
 };
 
+/// A step of the drive that has a name.
+struct DriveLeg {
+  std::string name;
+  Time begin{}, end{};
+  Time reflectors_until{};  ///< when FollowStep::reflectors_until is passed; `end` if it is not
+};
+
 /// A simulated drive as a localizer on board gets it.
 struct SimulatedDrive {
   std::vector<DriveInputEvent> events;
-  Trajectory truth;    ///< base_link in the world at the end of each control period
+  Trajectory truth;  ///< base_link in the world at the end of each control period
+  std::vector<DriveLeg> legs;
   Pose2 base_T_laser;  ///< as the calibration has it
 };
 

@@ -45,11 +45,12 @@ const char* name_of(ObservationVerdict verdict);
 
 /// An observation and a landmark that may belong together.
 struct LandmarkPair {
-  std::size_t observation = 0;                     ///< place among the observations
-  std::size_t landmark = 0;                        ///< place in LandmarkIndex::landmarks()
-  Eigen::Vector2d innovation;                      ///< z - h
-  Eigen::Matrix<double, 2, 3> dobservation_dpose;  ///< H
-  Eigen::Matrix2d noise;                           ///< of observation and landmark: Q + H_p M H_p^T
+  std::size_t observation = 0;                           ///< place among the observations
+  std::size_t landmark = 0;                              ///< place in LandmarkIndex::landmarks()
+  Eigen::Vector2d innovation = Eigen::Vector2d::Zero();  ///< z - h
+  Eigen::Matrix<double, 2, 3> dobservation_dpose = Eigen::Matrix<double, 2, 3>::Zero();  ///< H
+  /// Of observation and landmark: Q + H_p M H_p^T.
+  Eigen::Matrix2d noise = Eigen::Matrix2d::Zero();
   double distance = 0.0;  ///< squared Mahalanobis distance, 2 degrees of freedom
 };
 

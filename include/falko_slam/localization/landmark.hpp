@@ -33,7 +33,7 @@ struct LandmarkObservation {
   ObservationModel model = ObservationModel::kCartesian;
   Eigen::Vector2d value = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< positive definite
-  std::optional<std::uint32_t> id;                       ///< if it was recognised
+  std::optional<std::uint32_t> id = {};                  ///< if it was recognised
   LandmarkKind kind = LandmarkKind::kReflector;
 };
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "falko_slam/localization/landmark.hpp"
+#include "falko_slam/localization/landmark_map.hpp"
 
 namespace falko_slam {
 
@@ -46,5 +48,8 @@ class LandmarkIndex {
   std::vector<std::size_t> begin_;  // of each cell in members_, and one past the last
   std::vector<std::size_t> members_;
 };
+
+/// Of all landmarks of a map. Throws as validate(LandmarkMap) does.
+std::shared_ptr<const LandmarkIndex> landmark_index(const LandmarkMap& map);
 
 }  // namespace falko_slam

@@ -8,6 +8,7 @@
 
 #include "falko_slam/localization/constellation_search.hpp"
 #include "falko_slam/localization/pose_evidence.hpp"
+#include "falko_slam/localization/pose_filter.hpp"
 
 namespace falko_slam {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,9 @@ struct FollowStep {
   double speed = 0.8;                    ///< of the wheel [m/s]
   double corner_radius = 1.5;            ///< [m]
   bool backward = false;
+  std::string name = {};  ///< of a path whose end is an operation point; empty: of none
+  /// Reflectors are out of sight beyond this part of it, for evaluations without them [m].
+  double reflectors_until = std::numeric_limits<double>::infinity();
 };
 
 /// A constant command, steered to at rest, until the heading has turned or the wheel has gone so
