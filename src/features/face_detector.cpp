@@ -122,7 +122,7 @@ class FaceSplitter {
     const Line2 line = fitted(first, last, across);
     if (is_straight(first + end, last - end, line)) {
       const LineBreak found = best_break(first + end, last - end, line);
-      if (is_one(found)) return add(first + end, last - end, across);
+      if (is_one(found)) return add(first + end, last - end);
       split(first, first + end + found.second - 1);
       return split(first + end + found.second, last);
     }
@@ -140,24 +140,43 @@ class FaceSplitter {
     split(corner, last);
   }
 
-  // Least squares in (turn about the middle, shift across): the weights of the beams, and what the
-  // face's own shape adds to all of them in common.
-  void add(std::size_t first, std::size_t last, const Eigen::Vector2d& across) {
-    const Line2 line = fitted(first, last, across);
+  // Half of the way to the beams on either side.
+  double stretch_of(std::size_t k, std::size_t first, std::size_t last) const {
+    const std::size_t before = std::max(k, first + 1) - 1, after = std::min(k + 1, last);
+    return 0.5 * (scan_.points[after] - scan_.points[before]).norm();
+  }
+
+  // Every stretch of the face counts alike, however many beams it got: bent as faces are, the part
+  // next to the laser would else lead, another one from every place. Least squares in (turn about
+  // the middle, shift across) with these weights; its covariance from the noise of the beams, and
+  // what the face's own shape adds to all of them in common.
+  void add(std::size_t first, std::size_t last) {
+    LineMoments moments;
+    const Eigen::Vector2d origin = scan_.points[first];
+    for (std::size_t k = first; k <= last; ++k) {
+      const Eigen::Vector2d point = scan_.points[k] - origin;
+      moments.add(point.x(), point.y(), stretch_of(k, first, last));
+    }
+    Line2 line = moments.fit().line;
+    line.offset += line.normal.dot(origin);
+    if (line.offset < 0.0) line = {-line.normal, -line.offset};
     const Eigen::Vector2d along(-line.normal.y(), line.normal.x());
     const double from = along.dot(scan_.points[first]), to = along.dot(scan_.points[last]);
     const double middle = 0.5 * (from + to), length = std::abs(to - from);
     if (length < params_.min_length || std::abs(line.offset) < 1e-3) return;
     const Eigen::Vector2d sight = scan_.points[(first + last) / 2].normalized();
     if (std::abs(sight.dot(line.normal)) < kMostGrazing) return;
-    Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+    Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero(), noise = Eigen::Matrix2d::Zero();
     for (std::size_t k = first; k <= last; ++k) {
       const Eigen::Vector2d slope(along.dot(scan_.points[k]) - middle, 1.0);
-      information += slope * slope.transpose() / variance_across(k, line.normal);
+      const double weight = stretch_of(k, first, last);
+      normal_matrix += weight * slope * slope.transpose();
+      noise += weight * weight * variance_across(k, line.normal) * slope * slope.transpose();
     }
+    const Eigen::Matrix2d inverse = normal_matrix.inverse();
     DetectedFace face;
     face.line = line;
-    face.covariance = information.inverse();
+    face.covariance = inverse * noise * inverse;
     face.covariance(0, 0) += std::pow(2.0 * params_.straightness / length, 2);
     face.covariance(1, 1) += std::pow(params_.straightness, 2);
     face.middle = line.offset * line.normal + middle * along;

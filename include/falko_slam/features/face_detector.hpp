@@ -55,7 +55,8 @@ struct DetectedFace {
 /// noise of a
 /// beam across a face with normal n is that of its range times n . u and of its bearing times
 /// r n . u', with u along the beam and u' across it: on a face seen at a grazing angle a step of
-/// two centimetres stands out from a range noise of one. Lines are fitted with these weights.
+/// two centimetres stands out from a range noise of one. The line of a face is that of all its
+/// stretches alike.
 /// O(beams log beams).
 std::vector<DetectedFace> detect_faces(const LaserScan& scan, const FaceDetectorParams& params);
 
