@@ -23,7 +23,7 @@ struct FaceDetectorParams {
   /// How far a face's own shape strays from a straight line, and what of it is seen from one place
   /// and not from another: standard deviation. Greater: faces that stand nearly in line with each
   /// other are taken for one. [1e-4, 0.1] [m]
-  double straightness = 0.003;
+  double straightness = 0.005;
   /// Beams left out at either end, whose light falls on what is beside the face, too. [0, 100]
   int end_beams = 1;
   /// Without these; fewer are no face. [3, 1000]

@@ -30,7 +30,7 @@ struct LandmarkFilterParams {
   /// that is a natural feature. [0, 1] [m / sqrt(m)]
   double point_wander = 0.01;
   double face_wander = 0.001;      ///< of a face, across it. [0, 1] [m / sqrt(m)]
-  double face_turn_wander = 5e-4;  ///< of a face, its direction. [0, 1] [rad / sqrt(m)]
+  double face_turn_wander = 2e-4;  ///< of a face, its direction. [0, 1] [rad / sqrt(m)]
   /// A step of its search costs more than with a fixed map: fewer of them.
   AssociationParams association{0.997, 0.999, 6.0, 200};
 };
