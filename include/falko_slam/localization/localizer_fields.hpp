@@ -1,0 +1,101 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "falko_slam/features/feature_extractor_fields.hpp"
+#include "falko_slam/features/reflector_detector_fields.hpp"
+#include "falko_slam/localization/localizer_params.hpp"
+
+namespace falko_slam {
+
+// The names of the localizer's parameters in files and on the parameter server: their one home. For
+// the visitors see feature_extractor_fields.hpp. base_T_laser is not among them: the vehicle's.
+
+template <class Params, class Visitor>
+void visit_evidence_fields(Params& params, Visitor& visitor) {
+  visitor.field("detection", params.detection);
+  visitor.field("mapped", params.mapped);
+  visitor.field("expected_range", params.expected_range);
+  visitor.field("sight_margin", params.sight_margin);
+}
+
+template <class Params, class Visitor>
+void visit_monitor_fields(Params& params, Visitor& visitor) {
+  visitor.field("bound", params.bound);
+  visitor.field("ok_evidence", params.ok_evidence);
+  visitor.field("lost_evidence", params.lost_evidence);
+  visitor.field("confirmations", params.confirmations);
+  visitor.field("window", params.window);
+  visitor.field("min_share", params.min_share);
+  visitor.field("min_landmarks", params.min_landmarks);
+  visitor.field("misfit_tail", params.misfit_tail);
+  visitor.field("ok_position", params.ok_position);
+  visitor.field("ok_heading", params.ok_heading);
+  visitor.field("lost_position", params.lost_position);
+  visitor.field("lost_heading", params.lost_heading);
+  visitor.field("scan_silence", params.scan_silence);
+  visitor.field("motion_silence", params.motion_silence);
+  visitor.field("lost_silence", params.lost_silence);
+  visitor.begin("evidence");
+  visit_evidence_fields(params.evidence, visitor);
+  visitor.end();
+}
+
+template <class Params, class Visitor>
+void visit_constellation_fields(Params& params, Visitor& visitor) {
+  visitor.field("min_landmarks", params.min_landmarks);
+  visitor.field("min_distance", params.min_distance);
+  visitor.field("gate", params.gate);
+  visitor.field("max_candidates", params.max_candidates);
+  visitor.field("max_results", params.max_results);
+}
+
+template <class Params, class Visitor>
+void visit_recovery_fields(Params& params, Visitor& visitor) {
+  visitor.field("scans", params.scans);
+  visitor.field("min_evidence", params.min_evidence);
+  visitor.field("margin", params.margin);
+  visitor.field("drop", params.drop);
+  visitor.field("max_hypotheses", params.max_hypotheses);
+}
+
+template <class Params, class Visitor>
+void visit_association_fields(Params& params, Visitor& visitor) {
+  visitor.field("gate_probability", params.gate_probability);
+  visitor.field("joint_probability", params.joint_probability);
+  visitor.field("ambiguity", params.ambiguity);
+  visitor.field("max_nodes", params.max_nodes);
+}
+
+template <class Params, class Visitor>
+void visit_history_fields(Params& params, Visitor& visitor) {
+  visitor.field("span", params.span);
+  visitor.field("max_ahead", params.max_ahead);
+  visitor.field("max_inputs", params.max_inputs);
+}
+
+/// All but the FALKO detector's own parameters (visit_falko_fields).
+template <class Params, class Visitor>
+void visit_localizer_fields(Params& params, Visitor& visitor) {
+  const auto group = [&](const char* name, auto&& visit) {
+    visitor.begin(name);
+    visit();
+    visitor.end();
+  };
+  visitor.field("deskew", params.deskew);
+  visitor.field("max_speed", params.max_speed);
+  visitor.field("max_turn_rate", params.max_turn_rate);
+  visitor.field("search_alone", params.search_alone);
+  group("reflectors", [&] { visit_reflector_detector_fields(params.reflectors, visitor); });
+  group("features", [&] {
+    visitor.field("position_noise", params.features.position_noise);
+    visitor.field("max_range", params.features.max_range);
+  });
+  group("association", [&] { visit_association_fields(params.association, visitor); });
+  group("history", [&] { visit_history_fields(params.history, visitor); });
+  group("monitor", [&] { visit_monitor_fields(params.monitor, visitor); });
+  group("constellation", [&] { visit_constellation_fields(params.constellation, visitor); });
+  group("recovery", [&] { visit_recovery_fields(params.recovery, visitor); });
+}
+
+}  // namespace falko_slam
