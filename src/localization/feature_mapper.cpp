@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "falko_slam/common/validation.hpp"
+#include "kept_sight.hpp"
 #include "keypoint_clusters.hpp"
 #include "landmark_fields.hpp"
-#include "scan_sight.hpp"
 #include "viewpoint_cover.hpp"
 
 namespace falko_slam {
@@ -144,7 +144,7 @@ struct FeatureMapper::Scans {
   explicit Scans(double spacing) : viewpoints(spacing) {}
 
   ViewpointCover viewpoints;
-  std::vector<ScanSight> sights;
+  std::vector<KeptSight> sights;
   std::vector<std::size_t> viewpoint_of;  // of each scan
   std::vector<PlacedKeypoint> keypoints;
 
@@ -159,9 +159,10 @@ struct FeatureMapper::Scans {
         ++expected;
         continue;
       }
-      const Sight sight = sights[scan].at(middle, radius);
+      const PlaceSight sight = sights[scan].at(middle, radius);
       const bool saw_it = cluster.views.count(viewpoint_of[scan]) > 0;
-      if (sight == Sight::kSeenThrough || (sight == Sight::kSurface && saw_it)) ++expected;
+      if (sight == PlaceSight::kSeenThrough || (sight == PlaceSight::kSurface && saw_it))
+        ++expected;
     }
     return static_cast<double>(cluster.scans.size()) / static_cast<double>(expected);
   }

@@ -45,8 +45,9 @@ class FeatureMapping : public ::testing::Test {
 
   // Drives past corners along the x axis, turning, with a scan every 10 cm.
   void drive(FeatureMapper& mapper, const std::vector<Eigen::Vector2d>& corners, double from,
-             double to, double noise) {
-    for (double x = from; x < to; x += 0.1) {
+             int scans, double noise) {
+    for (int i = 0; i < scans; ++i) {
+      const double x = from + 0.1 * i;
       const Pose2 map_T_laser(x, 0.0, 0.3 * x);
       LaserScan scan = open_scan();
       std::vector<PointEstimate> keypoints;
@@ -66,7 +67,7 @@ class FeatureMapping : public ::testing::Test {
 TEST_F(FeatureMapping, FindsTheCornersOfADrive) {
   const std::vector<Eigen::Vector2d> corners = {{2.0, 3.0}, {1.0, -2.0}, {4.0, 2.5}};
   FeatureMapper mapper;
-  drive(mapper, corners, 0.0, 5.0, 0.01);
+  drive(mapper, corners, 0.0, 50, 0.01);
   const FeatureMap result = mapper.build();
   ASSERT_EQ(result.map.landmarks.size(), 3U);
   const std::vector<Eigen::Vector2d> by_x = {corners[1], corners[0], corners[2]};
@@ -112,8 +113,8 @@ TEST_F(FeatureMapping, ScatterBetweenViewpointsIsTheCovariance) {
 TEST_F(FeatureMapping, WhatStoodForAWhileOnlyIsLeftOut) {
   const Eigen::Vector2d wall(2.0, 3.0), parked(3.0, -2.0);
   FeatureMapper mapper;
-  drive(mapper, {wall, parked}, 0.0, 2.0, 0.005);
-  drive(mapper, {wall}, 2.0, 7.0, 0.005);
+  drive(mapper, {wall, parked}, 0.0, 20, 0.005);
+  drive(mapper, {wall}, 2.0, 50, 0.005);
   const FeatureMap result = mapper.build();
   ASSERT_EQ(result.map.landmarks.size(), 1U);
   EXPECT_LT((result.map.landmarks[0].position - wall).norm(), 0.01);
@@ -123,11 +124,11 @@ TEST_F(FeatureMapping, WhatStoodForAWhileOnlyIsLeftOut) {
 TEST_F(FeatureMapping, WhatIsHiddenIsNotMissed) {
   const Eigen::Vector2d corner(2.0, 3.0);
   FeatureMapper mapper;
-  drive(mapper, {corner}, 0.0, 2.0, 0.005);
-  for (double x = 2.0; x < 12.0; x += 0.1) {
+  drive(mapper, {corner}, 0.0, 20, 0.005);
+  for (int i = 0; i < 100; ++i) {
     LaserScan scan = open_scan();
     scan.ranges.assign(scan.size(), 1.0);
-    mapper.add({x, 0.0, 0.0}, scan, {});
+    mapper.add({2.0 + 0.1 * i, 0.0, 0.0}, scan, {});
   }
   EXPECT_EQ(mapper.build().map.landmarks.size(), 1U);
 }
@@ -149,8 +150,8 @@ TEST_F(FeatureMapping, KeepsAwayFromWhatIsKnownAndFromBetterOnes) {
   reflector.position = {4.0, 2.4};
   known.landmarks = {reflector};
   FeatureMapper mapper;
-  drive(mapper, {{2.0, 3.0}, {4.0, 2.5}}, 0.0, 5.0, 0.005);
-  drive(mapper, {{2.0, 3.12}}, 5.0, 8.0, 0.005);
+  drive(mapper, {{2.0, 3.0}, {4.0, 2.5}}, 0.0, 50, 0.005);
+  drive(mapper, {{2.0, 3.12}}, 5.0, 30, 0.005);
   const FeatureMap result = mapper.build(known);
   ASSERT_EQ(result.map.landmarks.size(), 2U);
   EXPECT_EQ(result.map.landmarks[0].id, 41);

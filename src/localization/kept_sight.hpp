@@ -11,23 +11,23 @@
 namespace falko_slam {
 
 /// What a scan says of a place.
-enum class Sight {
+enum class PlaceSight {
   kUnknown,      ///< something stands before it, no beam looks there, or they lie too far apart
   kSurface,      ///< a surface is there
   kSeenThrough,  ///< all beams go on behind it
 };
 
 /// How far each beam of a scan saw, in little memory.
-class ScanSight {
+class KeptSight {
  public:
-  ScanSight(const Pose2& map_T_laser, const LaserScan& scan);
+  KeptSight(const Pose2& map_T_laser, const LaserScan& scan);
 
   /// Of a disc of `radius` [m] about a place in the map, which beams farther apart than the radius
   /// cannot tell of.
-  Sight at(const Eigen::Vector2d& point_in_map, double radius) const;
+  PlaceSight at(const Eigen::Vector2d& point_in_map, double radius) const;
 
  private:
-  Sight of_beams(double bearing, double half_angle, double near, double far) const;
+  PlaceSight of_beams(double bearing, double half_angle, double near, double far) const;
 
   Pose2 laser_T_map_;
   double angle_min_;

@@ -1,6 +1,6 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scan_sight.hpp"
+#include "kept_sight.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace falko_slam {
 
-ScanSight::ScanSight(const Pose2& map_T_laser, const LaserScan& scan)
+KeptSight::KeptSight(const Pose2& map_T_laser, const LaserScan& scan)
     : laser_T_map_(map_T_laser.inverse()),
       angle_min_(scan.angle_min),
       angle_increment_(scan.angle_increment),
@@ -20,17 +20,17 @@ ScanSight::ScanSight(const Pose2& map_T_laser, const LaserScan& scan)
                  [](double range) { return static_cast<float>(range); });
 }
 
-Sight ScanSight::at(const Eigen::Vector2d& point_in_map, double radius) const {
+PlaceSight KeptSight::at(const Eigen::Vector2d& point_in_map, double radius) const {
   const Eigen::Vector2d point = laser_T_map_ * point_in_map;
   const double distance = point.norm();
-  if (distance <= radius || angle_increment_ <= 0.0) return Sight::kUnknown;
-  if (distance * angle_increment_ > radius) return Sight::kUnknown;
+  if (distance <= radius || angle_increment_ <= 0.0) return PlaceSight::kUnknown;
+  if (distance * angle_increment_ > radius) return PlaceSight::kUnknown;
   const double half_angle = std::asin(radius / distance);
   return of_beams(std::atan2(point.y(), point.x()), half_angle, distance - radius,
                   distance + radius);
 }
 
-Sight ScanSight::of_beams(double bearing, double half_angle, double near, double far) const {
+PlaceSight KeptSight::of_beams(double bearing, double half_angle, double near, double far) const {
   const double from_first = wrap_angle(bearing - angle_min_);
   const auto first =
       static_cast<std::int64_t>(std::ceil((from_first - half_angle) / angle_increment_));
@@ -41,12 +41,12 @@ Sight ScanSight::of_beams(double bearing, double half_angle, double near, double
   bool hidden = false;
   for (std::int64_t i = first; i <= last; ++i) {
     const std::int64_t beam = i < 0 ? i + turn : i;
-    if (beam >= count) return Sight::kUnknown;
+    if (beam >= count) return PlaceSight::kUnknown;
     const double range = ranges_[static_cast<std::size_t>(beam)];
-    if (range >= near && range <= far) return Sight::kSurface;
+    if (range >= near && range <= far) return PlaceSight::kSurface;
     if (!(range > far)) hidden = true;
   }
-  return hidden ? Sight::kUnknown : Sight::kSeenThrough;
+  return hidden ? PlaceSight::kUnknown : PlaceSight::kSeenThrough;
 }
 
 }  // namespace falko_slam
