@@ -2,15 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/localization/localizer.hpp"
 
+#include "localizer_core.hpp"
+
 namespace falko_slam {
-
-class Localizer::Impl {
- public:
-  Impl(const LocalizerParams& params, const LandmarkMap& map) : params_(params) { validate(map); }
-
-  LocalizerParams params_;
-  LocalizerReport report_;
-};
 
 Localizer::Localizer(const LocalizerParams& params, const LandmarkMap& map)
     : impl_(std::make_unique<Impl>(params, map)) {}
@@ -18,14 +12,39 @@ Localizer::~Localizer() = default;
 Localizer::Localizer(Localizer&&) noexcept = default;
 Localizer& Localizer::operator=(Localizer&&) noexcept = default;
 
-InputVerdict Localizer::add_motion(Time, const PoseEstimate&) { return InputVerdict::kInOrder; }
-const LocalizerReport& Localizer::add_scan(const LaserScan&) { return impl_->report_; }
-const LocalizerReport& Localizer::add_reflectors(Time, std::vector<LandmarkObservation>) {
+InputVerdict Localizer::add_motion(Time stamp, const PoseEstimate& motion) {
+  return impl_->add_motion(stamp, motion);
+}
+
+const LocalizerReport& Localizer::add_scan(const LaserScan& scan) {
+  const ScanSight sight(scan);
+  impl_->add_landmarks(impl_->detect(scan), &sight);
   return impl_->report_;
 }
-void Localizer::set_pose(Time, const std::optional<PoseEstimate>&) {}
-void Localizer::globalize() {}
-const LocalizerReport& Localizer::check(Time) { return impl_->report_; }
+
+const LocalizerReport& Localizer::add_reflectors(Time stamp,
+                                                 std::vector<LandmarkObservation> observations) {
+  ScanLandmarks landmarks;
+  landmarks.instant = stamp;
+  for (const LandmarkObservation& observation : observations) {
+    if (!is_usable(observation)) continue;
+    landmarks.seen.push_back({observation, LandmarkKind::kReflector, Duration::zero()});
+  }
+  impl_->add_landmarks(landmarks, nullptr);
+  return impl_->report_;
+}
+
+void Localizer::set_pose(Time stamp, const std::optional<PoseEstimate>& map_T_base) {
+  impl_->set_pose(stamp, map_T_base);
+}
+
+void Localizer::globalize() { impl_->forget_pose(true); }
+
+const LocalizerReport& Localizer::check(Time now) {
+  impl_->check(now);
+  return impl_->report_;
+}
+
 const LocalizerReport& Localizer::state() const { return impl_->report_; }
 const LocalizerParams& Localizer::params() const { return impl_->params_; }
 

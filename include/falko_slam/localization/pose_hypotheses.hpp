@@ -1,0 +1,57 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "falko_slam/localization/constellation_search.hpp"
+#include "falko_slam/localization/pose_evidence.hpp"
+
+namespace falko_slam {
+
+/// A place that may be the pose.
+struct PoseHypothesis {
+  PoseEstimate map_T_base;
+  double log_odds = 0.0;  ///< sum of PoseEvidence less half of the excess of the NIS
+  int scans = 0;          ///< that agreed
+};
+
+/// Several places at once, until scans decide: each is moved by the odometry and corrected by every
+/// scan like a pose of its own (\cite blackman2004); every scan may bring new ones, by
+/// ConstellationSearch. Not thread-safe.
+class PoseHypotheses {
+ public:
+  PoseHypotheses(const LocalizerParams& params, std::shared_ptr<const LandmarkIndex> map,
+                 const PoseEvidence& evidence);
+
+  void clear() { places_.clear(); }
+
+  /// All places by the motion of base_link since the last scan.
+  void move(const PoseEstimate& motion);
+  void add_scan(const std::vector<LandmarkObservation>& observations, const ScanSight* sight);
+
+  /// The one that is better than all others by as much as RecoveryParams asks for.
+  std::optional<PoseHypothesis> decided() const;
+
+  const std::vector<PoseHypothesis>& places() const { return places_; }  ///< the best one first
+
+ private:
+  void correct(PoseHypothesis& place, const std::vector<LandmarkObservation>& observations,
+               const ScanSight* sight) const;
+  std::optional<PoseHypothesis> hypothesis_of(const PlaceCandidate& candidate,
+                                              const std::vector<LandmarkObservation>& observations,
+                                              const ScanSight* sight) const;
+  void add_new(const std::vector<LandmarkObservation>& observations, const ScanSight* sight);
+  void sort_and_drop();
+
+  RecoveryParams params_;
+  PoseFilterParams filter_params_;
+  std::shared_ptr<const LandmarkIndex> map_;
+  const PoseEvidence& evidence_;
+  ConstellationSearch search_;
+  std::vector<PoseHypothesis> places_;
+};
+
+}  // namespace falko_slam

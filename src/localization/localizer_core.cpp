@@ -1,0 +1,304 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "localizer_core.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "covariance_check.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr int kSetBack = 3;  // motions in a row from before the track: the clock, not one of them
+constexpr double kLongestSlip = 0.5;  // without any scan that agrees [s]
+
+std::shared_ptr<const LandmarkIndex> index_of(const LandmarkMap& map) {
+  validate(map);
+  std::vector<Landmark> landmarks;
+  for (const MapLandmark& landmark : map.landmarks) {
+    landmarks.push_back(
+        {static_cast<std::uint32_t>(landmark.id), landmark.position, landmark.covariance});
+  }
+  return std::make_shared<LandmarkIndex>(std::move(landmarks));
+}
+
+bool is_usable(const PoseEstimate& motion) {
+  return motion.pose.translation().allFinite() && std::isfinite(motion.pose.theta()) &&
+         is_positive_semidefinite<3>(motion.covariance);
+}
+
+const LocalizerParams& validated(const LocalizerParams& params) {
+  validate(params);
+  return params;
+}
+
+std::vector<LandmarkObservation> observations_of(const ScanLandmarks& landmarks) {
+  std::vector<LandmarkObservation> observations;
+  for (const TimedObservation& seen : landmarks.seen) observations.push_back(seen.observation);
+  return observations;
+}
+
+}  // namespace
+
+Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
+    : params_(validated(params)),
+      index_(index_of(map)),
+      filter_params_{params_.base_T_laser, params_.association},
+      detector_(params_, map),
+      evidence_(params_.monitor.evidence, filter_params_, map, index_,
+                params_.association.gate_probability),
+      monitor_(params_.monitor),
+      hypotheses_(params_, index_, evidence_),
+      track_(from_seconds(2.0 * params_.history.span + 1.0)) {
+  forget_pose(params_.search_alone);
+}
+
+InputVerdict Localizer::Impl::add_motion(Time stamp, const PoseEstimate& motion) {
+  if (!is_usable(motion)) return InputVerdict::kInvalid;
+  if (clock_went_back(stamp)) {
+    restart_clock(stamp);
+    return InputVerdict::kInOrder;
+  }
+  if (set_back_ > 0) return InputVerdict::kTooOld;
+  if (bridged_from_ && stamp <= track_.end()) {  // of a time that was bridged already
+    bridged_from_ = std::max(*bridged_from_, stamp);
+    return InputVerdict::kTooOld;
+  }
+  const PoseEstimate rest = without_bridged(stamp, motion);
+  track_.add(stamp, rest);
+  latest_ = std::max(latest_, stamp);
+  monitor_.motion_seen(stamp);
+  const InputVerdict verdict =
+      history_ ? history_->add_motion(stamp, rest) : InputVerdict::kInOrder;
+  judge();
+  return verdict;
+}
+
+// One late motion is late; several that follow each other are a clock that was set back.
+bool Localizer::Impl::clock_went_back(Time stamp) {
+  const bool old = !track_.empty() && stamp < track_.end() - from_seconds(params_.history.span);
+  const bool follows = set_back_ == 0 || stamp > set_back_stamp_;
+  set_back_ = old ? (follows ? set_back_ + 1 : 1) : 0;
+  set_back_stamp_ = stamp;
+  return set_back_ >= kSetBack;
+}
+
+// The way since the last motion of the old clock is not known: as long as a few motions take.
+void Localizer::Impl::restart_clock(Time stamp) {
+  set_back_ = 0;
+  bridged_from_.reset();
+  track_.clear();
+  track_.add(stamp, {});
+  latest_ = searched_ = fitted_ = stamp;
+  hypotheses_.clear();
+  if (history_) {
+    PoseEstimate pose = history_->map_T_base();
+    pose.covariance += pose_covariance(params_.max_speed * 0.1, params_.max_turn_rate * 0.1);
+    history_->restart(stamp, pose);
+    monitor_.clock_set_back(stamp);
+  }
+  judge();
+}
+
+// Without motions the vehicle may be anywhere within reach: it stands, with that covariance.
+void Localizer::Impl::bridge_silence(Time until) {
+  if (track_.empty()) track_.add(until, {});
+  const double silence = to_seconds(until - track_.end());
+  if (silence <= (bridged_from_ ? 0.0 : params_.monitor.motion_silence)) return;
+  if (!bridged_from_) bridged_from_ = track_.end();
+  const PoseEstimate guess{
+      {}, pose_covariance(params_.max_speed * silence, params_.max_turn_rate * silence)};
+  track_.add(until, guess);
+  if (history_) history_->add_motion(until, guess);
+}
+
+PoseEstimate Localizer::Impl::without_bridged(Time stamp, const PoseEstimate& motion) {
+  if (!bridged_from_) return motion;
+  const double share = to_seconds(stamp - track_.end()) / to_seconds(stamp - *bridged_from_);
+  bridged_from_.reset();
+  return part_of_motion(motion, share);
+}
+
+void Localizer::Impl::set_pose(Time stamp, const std::optional<PoseEstimate>& map_T_base) {
+  if (!map_T_base) return forget_pose(params_.search_alone);
+  const PoseFilter check(filter_params_, index_, *map_T_base);  // throws for what is no pose
+  latest_ = std::max(latest_, stamp);
+  searching_ = false;
+  hypotheses_.clear();
+  restart_at(stamp, *map_T_base);
+  monitor_.begin(latest_, 0.0);
+  fitted_ = latest_;
+  judge();
+}
+
+void Localizer::Impl::forget_pose(bool search) {
+  history_.reset();
+  hypotheses_.clear();
+  searching_ = search;
+  judge();
+}
+
+// The pose of a stamp and the motions since then. Those of a stamp after the last motion are taken
+// back to it.
+void Localizer::Impl::restart_at(Time stamp, const PoseEstimate& map_T_base) {
+  PoseEstimate pose = map_T_base;
+  if (track_.empty()) track_.add(stamp, {});
+  if (stamp > track_.end()) {
+    pose.pose = pose.pose * (track_.at(track_.end()).inverse() * track_.at(stamp)).inverse();
+    stamp = track_.end();
+  }
+  history_.emplace(PoseFilter(filter_params_, index_, pose), std::max(stamp, track_.begin()),
+                   params_.history);
+  for (const auto& [time, motion] : track_.since(stamp)) history_->add_motion(time, motion);
+}
+
+PoseEstimate Localizer::Impl::prior_at(Time instant) const {
+  PoseEstimate prior = history_->map_T_base();
+  prior.pose = prior.pose * (track_.at(history_->stamp()).inverse() * track_.at(instant));
+  return prior;
+}
+
+void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSight* sight) {
+  report_.seen_at = landmarks.instant;
+  report_.reflectors = landmarks.report;
+  report_.seen.clear();
+  report_.agreement = {};
+  report_.input = InputVerdict::kInOrder;
+  if (!track_.empty() && landmarks.instant < track_.end() - from_seconds(params_.history.span)) {
+    report_.input = InputVerdict::kTooOld;
+    return;
+  }
+  latest_ = std::max(latest_, landmarks.instant);
+  bridge_silence(landmarks.instant);
+  const Observations observations = observations_of(landmarks);
+  if (history_) {
+    track_scan(landmarks, observations, sight);
+  } else if (searching_) {
+    search_scan(landmarks, observations, sight);
+  } else {
+    report_seen(observations, nullptr);
+  }
+  judge();
+}
+
+// A scan that the pose does not explain, but one does that the vehicle can have got to: then the
+// odometry told too little. The pose may move that far.
+bool Localizer::Impl::let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
+                                  Observations& observations) {
+  const std::size_t fitting =
+      associate(prior, params_.base_T_laser, *index_, observations, params_.association)
+          .pairs.size();
+  if (2 * fitting >= observations.size() || observations.size() < 3) {
+    if (2 * fitting >= observations.size() && fitting > 0) fitted_ = landmarks.instant;
+    return false;
+  }
+  const double time = std::clamp(to_seconds(landmarks.instant - fitted_), 0.05, kLongestSlip);
+  PoseEstimate wider = prior;
+  wider.covariance += pose_covariance(params_.max_speed * time, params_.max_turn_rate * time);
+  Observations blurred = observations;
+  for (std::size_t i = 0; i < blurred.size(); ++i) {
+    const double way = params_.max_speed * to_seconds(landmarks.seen[i].moved);
+    if (blurred[i].model != ObservationModel::kCartesian) continue;
+    blurred[i].covariance += way * way * Eigen::Matrix2d::Identity();
+  }
+  const std::size_t then =
+      associate(wider, params_.base_T_laser, *index_, blurred, params_.association).pairs.size();
+  if (then < 3 || then <= fitting || 10 * then < 6 * observations.size()) return false;
+  restart_at(landmarks.instant, wider);
+  observations = std::move(blurred);
+  monitor_.odometry_disagreed(landmarks.instant);
+  fitted_ = landmarks.instant;
+  return true;
+}
+
+void Localizer::Impl::track_scan(const ScanLandmarks& landmarks, Observations observations,
+                                 const ScanSight* sight) {
+  PoseEstimate prior = prior_at(landmarks.instant);
+  if (let_it_slip(landmarks, prior, observations)) prior = prior_at(landmarks.instant);
+  InputReport input = history_->add_observations(landmarks.instant, observations);
+  report_.input = input.verdict;
+  report_seen(observations, input.update ? &*input.update : nullptr);
+  if (!input.update) return;
+  const ScanEvidence scan = evidence_.judge(prior, observations, *input.update, sight);
+  report_.agreement = scan.agreement;
+  monitor_.add(landmarks.instant, scan);
+}
+
+void Localizer::Impl::search_scan(const ScanLandmarks& landmarks, const Observations& observations,
+                                  const ScanSight* sight) {
+  report_seen(observations, nullptr);
+  if (!hypotheses_.places().empty() && landmarks.instant > searched_) {
+    hypotheses_.move(track_.between(searched_, landmarks.instant));
+  }
+  if (!hypotheses_.places().empty() && landmarks.instant < searched_) return;  // late: left out
+  searched_ = landmarks.instant;
+  hypotheses_.add_scan(observations, sight);
+  const auto decided = hypotheses_.decided();
+  if (!decided) return;
+  restart_at(landmarks.instant, decided->map_T_base);
+  monitor_.begin(latest_, 0.0);
+  fitted_ = landmarks.instant;
+  searching_ = false;
+  hypotheses_.clear();
+}
+
+void Localizer::Impl::report_seen(const Observations& observations, const PoseUpdate* update) {
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    SeenLandmark seen{point_in_laser(observations[i]),
+                      observations[i].covariance,
+                      ObservationVerdict::kNoLandmark,
+                      {}};
+    if (update != nullptr) seen.verdict = update->association.verdicts[i];
+    report_.seen.push_back(seen);
+  }
+  if (update == nullptr) return;
+  for (const LandmarkPair& pair : update->association.pairs) {
+    report_.seen[pair.observation].id = index_->landmarks()[pair.landmark].id;
+  }
+}
+
+void Localizer::Impl::check(Time now) {
+  if (!track_.empty()) {
+    latest_ = std::max(latest_, now);
+    bridge_silence(now);
+  }
+  judge();
+}
+
+void Localizer::Impl::judge() {
+  report_.hypotheses = hypotheses_.places().size();
+  report_.map_T_base.reset();
+  report_.evidence = 0.0;
+  report_.stamp = latest_;
+  if (history_) {
+    const auto [status, reason] = monitor_.judge(latest_, history_->map_T_base());
+    report_.status = status;
+    report_.reason = reason;
+    report_.evidence = monitor_.evidence();
+    if (status == LocalizationStatus::kLost) {
+      history_.reset();
+      hypotheses_.clear();
+      searching_ = params_.search_alone;
+      return;
+    }
+    report_.stamp = history_->stamp();
+    report_.map_T_base = history_->map_T_base();
+    return;
+  }
+  if (!searching_) {
+    report_.status = LocalizationStatus::kLost;
+    report_.reason = LocalizationReason::kNoPose;
+    return;
+  }
+  report_.status = LocalizationStatus::kRecovering;
+  const auto& places = hypotheses_.places();
+  report_.reason =
+      places.empty() ? LocalizationReason::kSearching : LocalizationReason::kConfirming;
+  const bool rivals =
+      places.size() > 1 && places[0].log_odds - places[1].log_odds < params_.recovery.margin;
+  if (rivals) report_.reason = LocalizationReason::kAmbiguous;
+}
+
+}  // namespace falko_slam
