@@ -80,8 +80,9 @@ class CornerMapping {
     const auto first = poses_.interpolate(begin, kMaxGap);
     const auto last = poses_.interpolate(begin + time, kMaxGap);
     if (!first || !last) return std::nullopt;
-    const Pose2 map_T_laser = *first * recorded.base_T_laser;
-    return Sweep{map_T_laser, {map_T_laser.inverse() * *last * recorded.base_T_laser, time}};
+    const Pose2 base_T_laser = options_.base_T_laser.value_or(recorded.base_T_laser);
+    const Pose2 map_T_laser = *first * base_T_laser;
+    return Sweep{map_T_laser, {map_T_laser.inverse() * *last * base_T_laser, time}};
   }
 
   const MapBuildOptions& options_;
@@ -141,7 +142,7 @@ void build_map(const MapBuildOptions& options) {
   write_landmark_map(options.out, result.map);
   if (options.json != "-") {
     std::printf("%s: %s\n", options.bag.c_str(), read.description.c_str());
-    if (!read.base_known) {
+    if (!read.base_known && !options.base_T_laser) {
       std::printf("no transform tells where the laser is: it is taken for %s\n",
                   params.base_frame.c_str());
     }

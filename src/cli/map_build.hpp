@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "falko_slam/features/falko.hpp"
+#include "falko_slam/geometry/pose2.hpp"
 #include "falko_slam/localization/feature_mapper.hpp"
 
 namespace falko_slam {
@@ -18,7 +20,8 @@ struct MapBuildOptions {
   std::string poses;       ///< TUM file of base_link in the map, or a PoseStamped topic of the bag
   std::string out;
   std::string json;
-  double max_range = 15.0;  ///< of keypoints [m]
+  std::optional<Pose2> base_T_laser;  ///< empty: as the bag's tf has it
+  double max_range = 15.0;            ///< of keypoints [m]
   FalkoParams falko;
   FeatureMapperParams mapper;
 };

@@ -1,14 +1,42 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "falko_slam/calibration/calibration_file.hpp"
 #include "map_build.hpp"
 #include "map_inspection.hpp"
 
 namespace falko_slam {
 namespace cli {
 namespace {
+
+// Where the laser is: what tf has is what somebody measured by hand.
+struct LaserOptions {
+  std::string calibration;
+  std::vector<double> pose;
+};
+
+void add_laser_options(CLI::App& verb, LaserOptions& laser) {
+  CLI::Option* calibration =
+      verb.add_option("--calibration", laser.calibration,
+                      "file of `falko calibrate`: where the laser is; default: as the bag's tf has "
+                      "it. A laser that is turned by half a degree moves corners by centimetres");
+  verb.add_option("--laser", laser.pose, "the same: x y theta [m], [rad]")
+      ->expected(3)
+      ->excludes(calibration);
+}
+
+std::optional<Pose2> laser_of(const LaserOptions& laser) {
+  if (!laser.calibration.empty()) {
+    return read_calibration(laser.calibration).calibration.base_T_laser;
+  }
+  if (laser.pose.empty()) return std::nullopt;
+  return Pose2(laser.pose[0], laser.pose[1], laser.pose[2]);
+}
 
 void add_mapper_options(CLI::App& verb, FeatureMapperParams& mapper) {
   verb.add_option("--cluster-radius", mapper.cluster_radius,
@@ -43,12 +71,17 @@ void add_build(CLI::App& map) {
   verb->add_option("--out", options->out, "map to write (.yaml)")->required();
   verb->add_option("--topic", options->topic, "LaserScan topic of the bag; default: its only one");
   verb->add_option("--base-frame", options->base_frame, "whose poses they are, default base_link");
+  auto laser = std::make_shared<LaserOptions>();
+  add_laser_options(*verb, *laser);
   verb->add_option("--max-range", options->max_range,
                    "keypoints farther away are left out [m], default 15")
       ->check(number_in(0.5, 1000.0));
   add_mapper_options(*verb, options->mapper);
   verb->add_option("--json", options->json, "write the figures; - for the console");
-  verb->callback([options] { build_map(*options); });
+  verb->callback([options, laser] {
+    options->base_T_laser = laser_of(*laser);
+    build_map(*options);
+  });
 }
 
 void add_inspect(CLI::App& map) {

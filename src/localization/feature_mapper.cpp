@@ -73,6 +73,7 @@ PointEstimate middle_of(const Cluster& cluster, double usual_deviation) {
     const Eigen::Vector2d off = view.mean() - middle.point;
     scatter += weight_of(view) / weights * off * off.transpose();
   }
+  scatter(1, 0) = scatter(0, 1);  // products are rounded differently
   const auto count = static_cast<double>(cluster.views.size());
   middle.covariance =
       (count * scatter + kUsualViewpoints * usual_variance * Eigen::Matrix2d::Identity()) /

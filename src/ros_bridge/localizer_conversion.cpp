@@ -3,6 +3,7 @@
 #include "falko_slam/ros_bridge/localizer_conversion.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -163,16 +164,12 @@ PoseEstimate from_message(const geometry_msgs::PoseWithCovarianceStamped& messag
   if (!frame.empty() && frame != map_frame) {
     throw std::invalid_argument("it is in the frame " + frame + ", not " + map_frame);
   }
-  geometry_msgs::Transform transform;
-  transform.translation.x = message.pose.pose.position.x;
-  transform.translation.y = message.pose.pose.position.y;
-  transform.rotation = message.pose.pose.orientation;
-  const auto& q = transform.rotation;
+  const auto& q = message.pose.pose.orientation;
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   if (!(std::abs(length - 1.0) < 1e-3)) {
     throw std::invalid_argument("its orientation is not a quaternion of length 1");
   }
-  const Pose2 pose = in_plane(transform);
+  const Pose2 pose = in_plane(message.pose.pose);
   if (!pose.translation().allFinite()) throw std::invalid_argument("its position is not finite");
   Eigen::Matrix3d covariance = planar_covariance(message.pose);
   require_covariance(covariance);
@@ -180,6 +177,29 @@ PoseEstimate from_message(const geometry_msgs::PoseWithCovarianceStamped& messag
     covariance = pose_covariance(initial.position_deviation, initial.heading_deviation);
   }
   return {pose, 0.5 * (covariance + covariance.transpose())};
+}
+
+std::vector<LandmarkObservation> reflector_observations(const ReflectorArray& message,
+                                                        const BaseVelocity& velocity,
+                                                        const Pose2& base_T_laser,
+                                                        const ReflectorDetectorParams& noise) {
+  std::vector<LandmarkObservation> observations;
+  for (const Reflector& reflector : message.reflectors) {
+    const double seconds = reflector.time_offset.toSec();
+    const Pose2 moved = Pose2::exp({seconds * velocity.forward, 0.0, seconds * velocity.turn_rate});
+    const Eigen::Vector2d point = base_T_laser.inverse() * moved * base_T_laser *
+                                  Eigen::Vector2d(reflector.position.x, reflector.position.y);
+    const double hits = std::max<double>(1.0, reflector.hit_count);
+    const double along =
+        noise.range_noise * noise.range_noise / hits + noise.range_bias * noise.range_bias;
+    LandmarkObservation observation;
+    observation.model = ObservationModel::kRangeBearing;
+    observation.value = {point.norm(), std::atan2(point.y(), point.x())};
+    observation.covariance =
+        Eigen::Vector2d(along, noise.bearing_noise * noise.bearing_noise).asDiagonal();
+    if (is_usable(observation)) observations.push_back(observation);
+  }
+  return observations;
 }
 
 Eigen::Vector3d deviations_of(const PoseEstimate& map_T_base) {

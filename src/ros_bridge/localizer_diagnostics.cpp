@@ -75,7 +75,7 @@ void LocalizerDiagnostics::summarize(DiagnosticStatusWrapper& status, double now
 
 void LocalizerDiagnostics::add_values(DiagnosticStatusWrapper& status, double now,
                                       const LocalizerReport& state) const {
-  const double seconds = last_report_ < 0.0 ? 0.0 : now - last_report_;
+  const double seconds = now - last_report_;
   const auto rate = [&](const Input& input) {
     return seconds > 0.0 ? static_cast<double>(input.count) / seconds : 0.0;
   };
@@ -107,7 +107,6 @@ void LocalizerDiagnostics::add_values(DiagnosticStatusWrapper& status, double no
 void LocalizerDiagnostics::report(DiagnosticStatusWrapper& status, double now,
                                   const LocalizerReport& state, const InputState& motions,
                                   const InputState& scans) {
-  if (started_ < 0.0) started_ = now;
   summarize(status, now, state, motions, scans);
   add_values(status, now, state);
   last_report_ = now;

@@ -3,7 +3,6 @@
 #include "falko_slam/ros_bridge/pose_recording.hpp"
 
 #include <geometry_msgs/PoseStamped.h>
-#include <geometry_msgs/Transform.h>
 #include <ros/exception.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -15,18 +14,6 @@
 #include "recording_topics.hpp"
 
 namespace falko_slam {
-namespace {
-
-Pose2 in_plane(const geometry_msgs::Pose& pose) {
-  geometry_msgs::Transform transform;
-  transform.translation.x = pose.position.x;
-  transform.translation.y = pose.position.y;
-  transform.rotation = pose.orientation;
-  return in_plane(transform);
-}
-
-}  // namespace
-
 Trajectory read_pose_topic(const std::string& path, const std::string& wanted) {
   try {
     const rosbag::Bag bag(path);

@@ -31,9 +31,10 @@ struct InputState {
 /// it, or with deviations beyond the limits. ERROR while it is LOST, or scans are unusable.
 class LocalizerDiagnostics {
  public:
-  explicit LocalizerDiagnostics(const LocalizerDiagnosticsParams& params) : params_(params) {}
+  /// `now`: steady time [s], here and below.
+  LocalizerDiagnostics(const LocalizerDiagnosticsParams& params, double now)
+      : params_(params), started_(now), last_report_(now) {}
 
-  /// `now`: steady time [s].
   void moved(double now);
   void scanned(double now, double duration);
   void unusable(const ScanReport& report);
@@ -58,7 +59,7 @@ class LocalizerDiagnostics {
                   const LocalizerReport& state) const;
 
   LocalizerDiagnosticsParams params_;
-  double started_ = -1.0, last_report_ = -1.0;
+  double started_, last_report_;
   Input motions_, scans_;
   std::size_t unusable_ = 0, refused_ = 0;
   std::string fault_, warning_, pose_file_ = "none";
