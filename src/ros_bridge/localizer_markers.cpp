@@ -20,10 +20,10 @@ struct Look {
   double size;  // of a point or a line's width [m]
 };
 
-constexpr Look kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.16};
-constexpr Look kFeatures{"features", 0.2F, 0.5F, 1.0F, 1.0F, 0.10};
-constexpr Look kUsed{"used", 0.0F, 0.9F, 0.3F, 0.8F, 0.025};
-constexpr Look kStrangers{"strangers", 0.9F, 0.2F, 0.1F, 0.6F, 0.02};
+constexpr Look kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
+constexpr Look kFeatures{"features", 0.3F, 0.6F, 1.0F, 1.0F, 0.20};
+constexpr Look kUsed{"used", 0.0F, 0.9F, 0.3F, 0.8F, 0.04};
+constexpr Look kStrangers{"strangers", 0.9F, 0.2F, 0.1F, 0.7F, 0.04};
 constexpr Look kPose{"pose", 0.0F, 0.9F, 0.3F, 1.0F, 0.12};
 constexpr Look kDeviation{"deviation", 0.7F, 0.3F, 1.0F, 0.6F, 0.05};
 constexpr double kDeviations = 3.0;

@@ -181,6 +181,8 @@ TEST_F(LocalizerNode, SetPoseMovesThePose) {
   make_ok();
   const auto response = set(said(drive_->truth() * Pose2(0.1, 0.0, 0.0), 0.2, 0.05));
   EXPECT_TRUE(response.success) << response.message;
+  EXPECT_TRUE(spin_until([] { return client_->is(LocalizerStatus::DEGRADED); }));
+  EXPECT_EQ(client_->status->reason, LocalizerStatus::UNCONFIRMED);
   EXPECT_TRUE(becomes(LocalizerStatus::OK, 8.0)) << client_->status->text;
 }
 
@@ -189,8 +191,8 @@ TEST_F(LocalizerNode, FindsItselfWhenAsked) {
   std_srvs::Trigger service;
   ASSERT_TRUE(ros::service::call("localizer/global_localization", service));
   EXPECT_TRUE(service.response.success);
-  ASSERT_TRUE(spin_until([] { return !client_->is(LocalizerStatus::OK); }));
-  EXPECT_TRUE(client_->is(LocalizerStatus::RECOVERING)) << client_->status->text;
+  EXPECT_TRUE(spin_until([] { return client_->is(LocalizerStatus::RECOVERING); }))
+      << client_->status->text;
 
   EXPECT_TRUE(becomes(LocalizerStatus::OK, 60.0)) << client_->status->text;
   expect_at_truth(0.06, 0.01);
