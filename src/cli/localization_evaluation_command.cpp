@@ -3,11 +3,13 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "falko_slam/evaluation/mrclam_evaluation.hpp"
 #include "falko_slam/geometry/angles.hpp"
+#include "simulated_localization.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -19,6 +21,8 @@ struct EvaluateLocalizationOptions {
   bool without_ids = false;
   MrclamParams params;
   std::string json;
+  SimulatedLocalizationOptions simulated;
+  bool no_deskew = false;
 };
 
 void print_report(int robot, const MrclamRun& run, const MrclamEvaluation& e) {
@@ -62,7 +66,7 @@ nlohmann::json as_json(int robot, const MrclamEvaluation& e) {
           {"nees_inside", e.nees_inside}};
 }
 
-void evaluate_localization(EvaluateLocalizationOptions& options) {
+void evaluate_mrclam_runs(EvaluateLocalizationOptions& options) {
   options.params.use_ids = !options.without_ids;
   nlohmann::json document = nlohmann::json::array();
   for (const int robot : options.robots) {
@@ -90,15 +94,54 @@ void add_noise(CLI::App* verb, MrclamParams& params) {
       ->check(number_in(0.0, 1000.0));
 }
 
+void add_simulated(CLI::App* verb, EvaluateLocalizationOptions& options) {
+  SimulatedLocalizationOptions& simulated = options.simulated;
+  verb->add_option("scenario", simulated.scenario, "YAML file, see doc/scenarios.md");
+  verb->add_option("--seeds", simulated.seeds, "of the drives, default 1,2,3,4,5,6")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--duration", simulated.duration, "of each drive at most [s]")
+      ->check(number_in(1.0, 1e6));
+  verb->add_option("--survey-noise", simulated.survey_noise,
+                   "of the map's reflectors [m], default 0")
+      ->check(number_in(0.0, 1.0));
+  verb->add_option("--slip", simulated.odometry.slip,
+                   "what the localizer takes for the slip of the wheel [m / sqrt(m)]")
+      ->check(number_in(0.0, 1.0));
+  verb->add_option("--steer", simulated.odometry.steer, "the same of the steering [rad sqrt(m)]")
+      ->check(number_in(0.0, 1.0));
+  verb->add_flag("--perfect-calibration", simulated.perfect_calibration,
+                 "the vehicle is what it is taken for");
+  verb->add_flag("--no-deskew", options.no_deskew, "scans are taken for instants");
+  verb->add_option("--kidnap", simulated.kidnaps,
+                   "carries the vehicle from the drive of the first seed to that of the last so "
+                   "many times")
+      ->check(CLI::Range(0, 100000));
+  verb->add_option("--parameters", simulated.parameters,
+                   "YAML file with parameters of the localizer");
+}
+
+void evaluate_localization(EvaluateLocalizationOptions& options) {
+  if (options.mrclam.empty() == options.simulated.scenario.empty()) {
+    throw std::runtime_error("evaluate localization: either a scenario or --mrclam");
+  }
+  if (!options.mrclam.empty()) return evaluate_mrclam_runs(options);
+  options.simulated.localizer.deskew = !options.no_deskew;
+  options.simulated.json = options.json;
+  evaluate_simulated_localization(options.simulated);
+}
+
 }  // namespace
 
 void add_evaluate_localization(CLI::App& evaluate) {
   auto options = std::make_shared<EvaluateLocalizationOptions>();
   CLI::App* verb = evaluate.add_subcommand(
-      "localization", "the filter on a fixed map of landmarks, against true poses");
-  verb->add_option("--mrclam", options->mrclam,
-                   "a folder of the UTIAS MRCLAM data set: Robot<n>_Odometry.dat and so on, or .gz")
-      ->required();
+      "localization",
+      "the localizer on simulated drives, or the filter on the MRCLAM data, against true poses");
+  add_simulated(verb, *options);
+  verb->add_option(
+      "--mrclam", options->mrclam,
+      "a folder of the UTIAS MRCLAM data set: Robot<n>_Odometry.dat and so on, or .gz");
   verb->add_option("--robots", options->robots, "separated by commas, default 1,3")
       ->delimiter(',')
       ->check(CLI::Range(1, 1000));

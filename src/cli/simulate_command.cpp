@@ -4,9 +4,11 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <random>
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "falko_slam/evaluation/surveyed_map.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
@@ -19,12 +21,18 @@ struct SimulateOptions {
   std::string scenario;
   std::string out;
   std::string truth;
+  std::string map;
+  double survey_noise = 0.0;
   SimulationBagParams params;
 };
 
 void simulate(const SimulateOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Scenario scenario = read_scenario(options.scenario);
+  if (!options.map.empty()) {
+    std::mt19937_64 random(options.params.seed);
+    write_landmark_map(options.map, surveyed_map(scenario.world, options.survey_noise, random));
+  }
   Progress progress("scans");
   const SimulationBagReport report =
       simulate_to_bag(scenario, options.params, options.out, [&] { progress.step(); });
@@ -50,6 +58,11 @@ void add_simulate(CLI::App& app) {
   verb->add_option("--out", options->out, "bag to write")->required();
   verb->add_option("--truth", options->truth,
                    "file for the true trajectory, as `evaluate slam --truth` reads it");
+  verb->add_option("--map-out", options->map,
+                   "file for the world's reflectors, as `localize --map` reads it");
+  verb->add_option("--survey-noise", options->survey_noise,
+                   "standard deviation of their coordinates in that file [m], default 0")
+      ->check(number_in(0.0, 1.0));
   verb->add_option("--drive", params.drive_bag,
                    "bag with commands, encoders or joint states that drive the vehicle; default: "
                    "the scenario's drive");

@@ -51,7 +51,8 @@ Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
                 params_.association.gate_probability),
       monitor_(params_.monitor),
       hypotheses_(params_, index_, evidence_),
-      track_(from_seconds(2.0 * params_.history.span + 1.0)) {
+      track_(from_seconds(2.0 * params_.history.span + 1.0)),
+      scene_(params_.base_T_laser) {
   forget_pose(params_.search_alone);
 }
 
@@ -93,6 +94,7 @@ void Localizer::Impl::restart_clock(Time stamp) {
   track_.add(stamp, {});
   latest_ = searched_ = fitted_ = stamp;
   hypotheses_.clear();
+  scene_.clear();
   if (history_) {
     PoseEstimate pose = history_->map_T_base();
     pose.covariance += pose_covariance(params_.max_speed * 0.1, params_.max_turn_rate * 0.1);
@@ -158,6 +160,17 @@ PoseEstimate Localizer::Impl::prior_at(Time instant) const {
   PoseEstimate prior = history_->map_T_base();
   prior.pose = prior.pose * (track_.at(history_->stamp()).inverse() * track_.at(instant));
   return prior;
+}
+
+void Localizer::Impl::add_scan(const LaserScan& scan) {
+  const ScanSight sight(scan);
+  const ScanLandmarks landmarks = detector_.detect(scan, track_);
+  const auto again = scene_.share_seen_again(scan, landmarks.instant, track_);
+  if (again && *again < params_.monitor.min_scene) {
+    monitor_.scene_changed(landmarks.instant);
+    hypotheses_.clear();
+  }
+  add_landmarks(landmarks, &sight);
 }
 
 void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSight* sight) {
@@ -285,6 +298,8 @@ void Localizer::Impl::judge() {
     }
     report_.stamp = history_->stamp();
     report_.map_T_base = history_->map_T_base();
+    report_.map_T_base->covariance +=
+        pose_covariance(params_.mount_position, params_.mount_heading);
     return;
   }
   if (!searching_) {

@@ -11,6 +11,7 @@
 #include "falko_slam/localization/pose_hypotheses.hpp"
 #include "falko_slam/localization/pose_monitor.hpp"
 #include "falko_slam/localization/scan_landmarks.hpp"
+#include "falko_slam/localization/scene_memory.hpp"
 
 namespace falko_slam {
 
@@ -20,7 +21,7 @@ class Localizer::Impl {
 
   InputVerdict add_motion(Time stamp, const PoseEstimate& motion);
   void add_landmarks(const ScanLandmarks& landmarks, const ScanSight* sight);
-  ScanLandmarks detect(const LaserScan& scan) { return detector_.detect(scan, track_); }
+  void add_scan(const LaserScan& scan);
   void set_pose(Time stamp, const std::optional<PoseEstimate>& map_T_base);
   void forget_pose(bool search);
   void check(Time now);
@@ -54,6 +55,7 @@ class Localizer::Impl {
   PoseMonitor monitor_;
   PoseHypotheses hypotheses_;
   OdometryTrack track_;
+  SceneMemory scene_;
   std::optional<PoseHistory> history_;  // while there is a pose
   bool searching_ = false;
   Time latest_{};                     // of all stamps

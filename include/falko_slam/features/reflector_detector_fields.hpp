@@ -10,8 +10,9 @@ namespace falko_slam {
 // The names of the parameters as they stand in files; a visitor as in feature_extractor_fields.hpp.
 
 inline const EnumNames<ReflectorDetectorParams::Shape>& reflector_shape_names() {
-  using Shape = ReflectorDetectorParams::Shape;
-  static const EnumNames<Shape> names = {{"cylinder", Shape::kCylinder}, {"flat", Shape::kFlat}};
+  static const EnumNames<ReflectorDetectorParams::Shape> names = {
+      {"cylinder", ReflectorDetectorParams::Shape::kCylinder},
+      {"flat", ReflectorDetectorParams::Shape::kFlat}};
   return names;
 }
 

@@ -1,0 +1,33 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "falko_slam/evaluation/kidnap_evaluation.hpp"
+#include "falko_slam/evaluation/localization_evaluation.hpp"
+#include "falko_slam/vehicle/odometry_noise.hpp"
+
+namespace falko_slam {
+namespace cli {
+
+struct SimulatedLocalizationOptions {
+  std::string scenario;
+  std::vector<std::uint64_t> seeds = {1, 2, 3, 4, 5, 6};
+  double duration = 1e6;      ///< of each drive at most [s]
+  double survey_noise = 0.0;  ///< of the map [m]
+  int kidnaps = 0;            ///< 0: drives without any
+  OdometryNoise odometry;
+  bool perfect_calibration = false;
+  std::string parameters;  ///< YAML file with groups of visit_localizer_fields(); empty: none
+  std::string json;        ///< empty: none
+  LocalizerParams localizer;
+};
+
+/// The localizer on simulated drives of a scenario; prints the figures.
+void evaluate_simulated_localization(const SimulatedLocalizationOptions& options);
+
+}  // namespace cli
+}  // namespace falko_slam
