@@ -22,7 +22,8 @@ void LocalizerNodelet::begin(Time stamp) {
   const Eigen::Matrix3d covariance =
       pose_covariance(initial.position_deviation, initial.heading_deviation);
   if (initial.known) {
-    localizer_->set_pose(stamp, PoseEstimate{Pose2(initial.x, initial.y, initial.theta), covariance});
+    localizer_->set_pose(stamp,
+                         PoseEstimate{Pose2(initial.x, initial.y, initial.theta), covariance});
     NODELET_INFO_STREAM("begins at x " << initial.x << " m, y " << initial.y << " m, heading "
                                        << initial.theta << " rad, as the parameters say");
     return;

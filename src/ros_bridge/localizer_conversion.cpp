@@ -40,6 +40,8 @@ std::uint8_t code_of(LocalizationReason reason) {
       return LocalizerStatus::TOO_UNCERTAIN;
     case Reason::kNoSensors:
       return LocalizerStatus::NO_SENSORS;
+    case Reason::kCarried:
+      return LocalizerStatus::CARRIED;
     case Reason::kSearching:
       return LocalizerStatus::SEARCHING;
     case Reason::kAmbiguous:

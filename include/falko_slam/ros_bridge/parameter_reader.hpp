@@ -60,7 +60,8 @@ void ParameterReader::choice(const char* name, Enum& value, const EnumNames<Enum
   field(name, text);
   const auto found = value_of(text, names);
   if (!found) {
-    throw std::invalid_argument(name_ + "/" + path_of(name) + " = " + text + ": must be " + list_names(names));
+    throw std::invalid_argument(name_ + "/" + path_of(name) + " = " + text + ": must be " +
+                                list_names(names));
   }
   value = *found;
 }
