@@ -242,10 +242,12 @@ void Localizer::Impl::track_scan(const ScanLandmarks& landmarks, Observations ob
 void Localizer::Impl::search_scan(const ScanLandmarks& landmarks, const Observations& observations,
                                   const ScanSight* sight) {
   report_seen(observations, nullptr);
-  if (!hypotheses_.places().empty() && landmarks.instant > searched_) {
+  if (landmarks.instant < searched_) return;  // late: left out
+  if (searched_ >= track_.begin()) {
     hypotheses_.move(track_.between(searched_, landmarks.instant));
+  } else {
+    hypotheses_.clear();  // too long ago to know the way
   }
-  if (!hypotheses_.places().empty() && landmarks.instant < searched_) return;  // late: left out
   searched_ = landmarks.instant;
   hypotheses_.add_scan(observations, sight);
   const auto decided = hypotheses_.decided();
