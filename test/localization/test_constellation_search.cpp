@@ -103,7 +103,8 @@ TEST(Localizer, DoesNotDecideBetweenPlacesThatLookAlike) {
   }
   std::vector<Landmark> landmarks;
   for (const MapLandmark& landmark : map.landmarks) {
-    landmarks.push_back({static_cast<std::uint32_t>(landmark.id), landmark.position, {}});
+    landmarks.push_back(
+        {static_cast<std::uint32_t>(landmark.id), landmark.position, Eigen::Matrix2d::Zero()});
   }
   LocalizerParams params;
   params.base_T_laser = kBaseTLaser;
