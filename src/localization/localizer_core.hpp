@@ -41,6 +41,7 @@ class Localizer::Impl {
   PoseEstimate prior_at(Time instant) const;
   bool let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
                    Observations& observations);
+  bool within_reach(const Pose2& from, const Pose2& to, double time) const;
   void track_scan(const ScanLandmarks& landmarks, Observations observations,
                   const ScanSight* sight);
   void search_scan(const ScanLandmarks& landmarks, const Observations& observations,

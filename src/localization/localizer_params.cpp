@@ -66,6 +66,7 @@ void validate(const RecoveryParams& params) {
   require_in_range("min_evidence", params.min_evidence, 0.0, 1000.0);
   require_in_range("margin", params.margin, 0.0, 1000.0);
   require_in_range("drop", params.drop, params.margin, 1000.0);
+  require_in_range("memory", params.memory, 0, 10000);
   require_in_range("max_hypotheses", params.max_hypotheses, 1, 1000);
 }
 

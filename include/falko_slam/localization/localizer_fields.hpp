@@ -58,6 +58,7 @@ void visit_recovery_fields(Params& params, Visitor& visitor) {
   visitor.field("min_evidence", params.min_evidence);
   visitor.field("margin", params.margin);
   visitor.field("drop", params.drop);
+  visitor.field("memory", params.memory);
   visitor.field("max_hypotheses", params.max_hypotheses);
 }
 

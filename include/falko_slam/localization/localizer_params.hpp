@@ -70,6 +70,7 @@ struct RecoveryParams {
   double min_evidence = 8.0;  ///< log odds at least. [0, 1000]
   double margin = 6.0;        ///< log odds more than any other place's. [0, 1000]
   double drop = 15.0;       ///< places with so much less than the best are dropped. [margin, 1000]
+  int memory = 50;          ///< scans that a landmark is remembered for. [0, 10000]
   int max_hypotheses = 30;  ///< carried along. [1, 1000]
 };
 /// Throws std::invalid_argument with the field and its value.
