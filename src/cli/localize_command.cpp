@@ -13,8 +13,8 @@
 #include "falko_slam/common/yaml_fields.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
-#include "falko_slam/localization/imk_file.hpp"
 #include "falko_slam/localization/localizer_fields.hpp"
+#include "falko_slam/localization/map_format.hpp"
 #include "falko_slam/ros_bridge/localization_recording.hpp"
 #include "localize_run.hpp"
 
@@ -29,11 +29,6 @@ struct LocalizeOptions {
   bool stamp_at_end = false;
   LocalizationRecordingParams reading;
 };
-
-LandmarkMap read_map(const std::string& path) {
-  const bool layout = path.size() > 4 && path.substr(path.size() - 4) == ".imk";
-  return layout ? read_imk(path) : read_landmark_map(path);
-}
 
 LocalizerParams read_parameters(const LocalizeOptions& options, const LandmarkMap& map) {
   LocalizerParams params;
@@ -108,7 +103,7 @@ void localize(LocalizeOptions options) {
   if (!options.calibration.empty()) {
     options.reading.calibration = read_calibration(options.calibration).calibration;
   }
-  const LandmarkMap map = read_map(options.map);
+  const LandmarkMap map = read_map_of_any_format(options.map);
   const LocalizationRecording recording =
       open_localization_recording(options.recording, options.reading);
   if (!recording.laser_known) {

@@ -9,6 +9,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -80,6 +81,7 @@ void LocalizerNodelet::load_map() {
   }
   map_identity_ = identity_of(map_);
   NODELET_INFO_STREAM(params_.map_file << ": " << map_identity_);
+  warn_of_diameters();
   MapTransformParams transform;
   transform.map_frame = params_.map_frame;
   transform.child_frame = params_.odom_frame;
@@ -90,6 +92,20 @@ void LocalizerNodelet::load_map() {
       LocalizerDiagnosticsParams{params_.input_timeout, params_.warn_position,
                                  params_.warn_heading},
       steady_now());
+}
+
+// Reflectors of another size are not found, or in the wrong place.
+void LocalizerNodelet::warn_of_diameters() {
+  constexpr double kTolerance = 0.005;  // [m]
+  const double sought = params_.localizer.reflectors.diameter;
+  for (const MapLandmark& landmark : map_.landmarks) {
+    const double diameter = landmark.layout.diameter;
+    if (landmark.kind != LandmarkKind::kReflector) continue;
+    if (std::abs(diameter - sought) <= kTolerance) continue;
+    NODELET_WARN_STREAM("reflector " << landmark.id << " of the map has a diameter of " << diameter
+                                     << " m, parameter reflectors/diameter is " << sought);
+    return;
+  }
 }
 
 void LocalizerNodelet::start_publishing() {

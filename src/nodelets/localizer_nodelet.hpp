@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "falko_slam/localization/localizer.hpp"
 #include "falko_slam/ros_bridge/localizer_diagnostics.hpp"
@@ -48,6 +49,7 @@ class LocalizerNodelet : public nodelet::Nodelet {
   void onInit() override;
   void load_parameters();
   void load_map();
+  void warn_of_diameters();
   void start_publishing();
   void start_listening();
   void start_serving();
