@@ -18,6 +18,7 @@
 
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/localization/pose_file.hpp"
+#include "falko_slam/ros_bridge/file_folder.hpp"
 #include "falko_slam/ros_bridge/localizer_conversion.hpp"
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "simulated_drive_client.hpp"
@@ -29,7 +30,6 @@ using test::SimulatedDriveClient;
 using test::spin_until;
 
 constexpr char kScenario[] = FALKO_SLAM_SOURCE_DIR "/config/scenarios/warehouse.yaml";
-constexpr char kPoseFile[] = "/tmp/falko_slam_test_localizer/pose.yaml";
 
 // Hears what the localizer publishes.
 class LocalizerClient {
@@ -155,7 +155,7 @@ TEST_F(LocalizerNode, SendsTheMapToTfWithStampsThatGrow) {
 TEST_F(LocalizerNode, WritesThePoseDown) {
   make_ok();
   drive_->pass(2.0);
-  const SavedPose saved = read_saved_pose(kPoseFile);
+  const SavedPose saved = read_saved_pose(default_file_folder() + "/test_localizer/pose.yaml");
   EXPECT_LT((drive_->truth().inverse() * saved.map_T_base.pose).translation().norm(), 2.0);
   EXPECT_EQ(saved.map.find("28 landmarks, "), 0U) << saved.map;
 }
