@@ -14,6 +14,8 @@ void add_calibrate(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_detect(CLI::App& app);
 void add_evaluate(CLI::App& app);
+void add_localize(CLI::App& app);
+void add_map(CLI::App& app);
 void add_optimize(CLI::App& app);
 void add_evaluate_calibration(CLI::App& evaluate);   // below `evaluate`
 void add_evaluate_localization(CLI::App& evaluate);  // the same

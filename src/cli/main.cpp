@@ -17,6 +17,8 @@ int run(int argc, char** argv) {
   falko_slam::cli::add_convert(app);
   falko_slam::cli::add_detect(app);
   falko_slam::cli::add_evaluate(app);
+  falko_slam::cli::add_localize(app);
+  falko_slam::cli::add_map(app);
   falko_slam::cli::add_optimize(app);
   falko_slam::cli::add_parameters(app);
   falko_slam::cli::add_simulate(app);

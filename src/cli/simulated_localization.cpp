@@ -130,10 +130,15 @@ void print_delays(const char* what, const std::vector<Kidnap>& kidnaps, double K
 
 nlohmann::json as_json(const Kidnap& kidnap) {
   const auto pose = [](const Pose2& of) { return nlohmann::json{of.x(), of.y(), of.theta()}; };
-  return {{"from", pose(kidnap.from)},   {"to", pose(kidnap.to)},
-          {"ok_until", kidnap.ok_until}, {"lost", kidnap.lost},
-          {"pose", kidnap.pose},         {"ok", kidnap.ok},
-          {"wrong_ok", kidnap.wrong_ok}, {"wrong_posed", kidnap.wrong_posed}};
+  return {{"from", pose(kidnap.from)},
+          {"to", pose(kidnap.to)},
+          {"ok_until", kidnap.ok_until},
+          {"lost", kidnap.lost},
+          {"three", kidnap.three},
+          {"pose", kidnap.pose},
+          {"ok", kidnap.ok},
+          {"wrong_ok", kidnap.wrong_ok},
+          {"wrong_posed", kidnap.wrong_posed}};
 }
 
 nlohmann::json evaluate_kidnapping(const Options& options, const Scenario& scenario) {
@@ -155,6 +160,7 @@ nlohmann::json evaluate_kidnapping(const Options& options, const Scenario& scena
   std::printf("%s: kidnapped %zu times\n", options.scenario.c_str(), kidnaps.size());
   print_delays("wrong pose no longer ok", kidnaps, &Kidnap::ok_until, 1.0);
   print_delays("wrong pose no longer given", kidnaps, &Kidnap::lost, 2.0);
+  print_delays("three landmarks in a scan", kidnaps, &Kidnap::three, 5.0);
   print_delays("right pose", kidnaps, &Kidnap::pose, 5.0);
   print_delays("right pose, ok", kidnaps, &Kidnap::ok, 5.0);
   std::printf("  after that %zu scans with a wrong pose, %zu of them ok\n", wrong_posed, wrong_ok);

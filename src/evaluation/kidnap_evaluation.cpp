@@ -70,6 +70,7 @@ class KidnapRun {
     const double seconds = to_seconds(report.seen_at - shift - to);
     const bool right = is_right(report, shift);
     const bool posed = report.map_T_base.has_value();
+    if (result.three < 0.0 && report.seen.size() >= 3) result.three = seconds;
     if (result.lost < 0.0 && (!posed || right)) result.lost = seconds;
     if (right && result.pose < 0.0) result.pose = seconds;
     if (right && result.ok < 0.0 && report.status == LocalizationStatus::kOk) result.ok = seconds;

@@ -16,6 +16,7 @@ struct ReasonText {
 constexpr std::array<ReasonText, kLocalizationReasonCount> kReasons = {{
     {"none", "scans agree with the map"},
     {"no pose", "no pose was given and none is searched for"},
+    {"carried away", "the scene changed at once, and nothing fits the map since"},
     {"contradicted", "what is seen does not fit the map at the pose that was believed"},
     {"too uncertain", "too long without landmarks: the pose may be anywhere"},
     {"no sensors", "neither motions nor scans come"},

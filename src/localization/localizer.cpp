@@ -17,8 +17,7 @@ InputVerdict Localizer::add_motion(Time stamp, const PoseEstimate& motion) {
 }
 
 const LocalizerReport& Localizer::add_scan(const LaserScan& scan) {
-  const ScanSight sight(scan);
-  impl_->add_landmarks(impl_->detect(scan), &sight);
+  impl_->add_scan(scan);
   return impl_->report_;
 }
 

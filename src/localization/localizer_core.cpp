@@ -14,6 +14,8 @@ namespace {
 constexpr int kSetBack = 3;  // motions in a row from before the track: the clock, not one of them
 constexpr double kLongestSlip = 0.5;  // without any scan that agrees [s]
 
+constexpr double kReachSlack = 0.05, kReachTurnSlack = 0.02;  // of what was measured [m], [rad]
+
 bool is_usable(const PoseEstimate& motion) {
   return motion.pose.translation().allFinite() && std::isfinite(motion.pose.theta()) &&
          is_positive_semidefinite<3>(motion.covariance);
@@ -72,7 +74,8 @@ Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
                 params_.association.gate_probability),
       monitor_(params_.monitor),
       hypotheses_(params_, index_, evidence_),
-      track_(from_seconds(2.0 * params_.history.span + 1.0)) {
+      track_(from_seconds(2.0 * params_.history.span + 1.0)),
+      scene_(params_.base_T_laser) {
   forget_pose(params_.search_alone);
 }
 
@@ -114,6 +117,7 @@ void Localizer::Impl::restart_clock(Time stamp) {
   track_.add(stamp, {});
   latest_ = searched_ = fitted_ = stamp;
   hypotheses_.clear();
+  scene_.clear();
   if (history_) {
     PoseEstimate pose = history_->map_T_base();
     pose.covariance += pose_covariance(params_.max_speed * 0.1, params_.max_turn_rate * 0.1);
@@ -181,6 +185,17 @@ PoseEstimate Localizer::Impl::prior_at(Time instant) const {
   return prior;
 }
 
+void Localizer::Impl::add_scan(const LaserScan& scan) {
+  const ScanSight sight(scan);
+  const ScanLandmarks landmarks = detector_.detect(scan, track_);
+  const auto again = scene_.share_seen_again(scan, landmarks.instant, track_);
+  if (again && *again < params_.monitor.min_scene) {
+    monitor_.scene_changed(landmarks.instant);
+    hypotheses_.clear();
+  }
+  add_landmarks(landmarks, &sight);
+}
+
 void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSight* sight) {
   report_.seen_at = landmarks.instant;
   report_.reflectors = landmarks.report;
@@ -211,10 +226,11 @@ bool Localizer::Impl::let_it_slip(const ScanLandmarks& landmarks, const PoseEsti
   const std::size_t fitting =
       associate(prior, params_.base_T_laser, *index_, observations, params_.association)
           .pairs.size();
-  if (2 * fitting >= observations.size() || observations.size() < 3) {
-    if (2 * fitting >= observations.size() && fitting > 0) fitted_ = landmarks.instant;
+  if (fitting >= 3 || (fitting > 0 && 2 * fitting >= observations.size())) {
+    fitted_ = landmarks.instant;
     return false;
   }
+  if (observations.size() < 3) return false;
   const double time = std::clamp(to_seconds(landmarks.instant - fitted_), 0.05, kLongestSlip);
   PoseEstimate wider = prior;
   wider.covariance += pose_covariance(params_.max_speed * time, params_.max_turn_rate * time);
@@ -224,14 +240,21 @@ bool Localizer::Impl::let_it_slip(const ScanLandmarks& landmarks, const PoseEsti
     if (blurred[i].model != ObservationModel::kCartesian) continue;
     blurred[i].covariance += way * way * Eigen::Matrix2d::Identity();
   }
-  const std::size_t then =
-      associate(wider, params_.base_T_laser, *index_, blurred, params_.association).pairs.size();
-  if (then < 3 || then <= fitting || 10 * then < 6 * observations.size()) return false;
+  const std::vector<LandmarkPair> pairs =
+      associate(wider, params_.base_T_laser, *index_, blurred, params_.association).pairs;
+  if (pairs.size() < 3 || 10 * pairs.size() < 6 * observations.size()) return false;
+  if (!within_reach(prior.pose, correct(wider, pairs).map_T_base.pose, time)) return false;
   restart_at(landmarks.instant, wider);
   observations = std::move(blurred);
   monitor_.odometry_disagreed(landmarks.instant);
   fitted_ = landmarks.instant;
   return true;
+}
+
+bool Localizer::Impl::within_reach(const Pose2& from, const Pose2& to, double time) const {
+  const Pose2 way = from.inverse() * to;
+  return way.translation().norm() <= params_.max_speed * time + kReachSlack &&
+         std::abs(way.theta()) <= params_.max_turn_rate * time + kReachTurnSlack;
 }
 
 void Localizer::Impl::track_scan(const ScanLandmarks& landmarks, Observations observations,
@@ -264,10 +287,12 @@ LandmarkFilterParams Localizer::Impl::landmark_params() const {
 void Localizer::Impl::search_scan(const ScanLandmarks& landmarks, const Observations& observations,
                                   const ScanSight* sight) {
   report_seen(observations, nullptr);
-  if (!hypotheses_.places().empty() && landmarks.instant > searched_) {
+  if (landmarks.instant < searched_) return;  // late: left out
+  if (searched_ >= track_.begin()) {
     hypotheses_.move(track_.between(searched_, landmarks.instant));
+  } else {
+    hypotheses_.clear();  // too long ago to know the way
   }
-  if (!hypotheses_.places().empty() && landmarks.instant < searched_) return;  // late: left out
   searched_ = landmarks.instant;
   hypotheses_.add_scan(observations, sight);
   const auto decided = hypotheses_.decided();
@@ -320,6 +345,8 @@ void Localizer::Impl::judge() {
     }
     report_.stamp = history_->stamp();
     report_.map_T_base = history_->map_T_base();
+    report_.map_T_base->covariance +=
+        pose_covariance(params_.mount_position, params_.mount_heading);
     return;
   }
   if (!searching_) {

@@ -12,6 +12,7 @@
 #include "falko_slam/localization/pose_hypotheses.hpp"
 #include "falko_slam/localization/pose_monitor.hpp"
 #include "falko_slam/localization/scan_landmarks.hpp"
+#include "falko_slam/localization/scene_memory.hpp"
 
 namespace falko_slam {
 
@@ -21,7 +22,7 @@ class Localizer::Impl {
 
   InputVerdict add_motion(Time stamp, const PoseEstimate& motion);
   void add_landmarks(const ScanLandmarks& landmarks, const ScanSight* sight);
-  ScanLandmarks detect(const LaserScan& scan) { return detector_.detect(scan, track_); }
+  void add_scan(const LaserScan& scan);
   void set_pose(Time stamp, const std::optional<PoseEstimate>& map_T_base);
   void forget_pose(bool search);
   void check(Time now);
@@ -42,6 +43,7 @@ class Localizer::Impl {
   PoseEstimate prior_at(Time instant) const;
   bool let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
                    Observations& observations);
+  bool within_reach(const Pose2& from, const Pose2& to, double time) const;
   void track_scan(const ScanLandmarks& landmarks, Observations observations,
                   const ScanSight* sight);
   void search_scan(const ScanLandmarks& landmarks, const Observations& observations,
@@ -56,6 +58,7 @@ class Localizer::Impl {
   PoseMonitor monitor_;
   PoseHypotheses hypotheses_;
   OdometryTrack track_;
+  SceneMemory scene_;
   std::optional<PoseHistory> history_;  // while there is a pose
   bool searching_ = false;
   Time latest_{};                     // of all stamps

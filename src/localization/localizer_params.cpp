@@ -47,6 +47,8 @@ void validate(const PoseMonitorParams& params) {
   require_in_range("ok_heading", params.ok_heading, kTiny, 4.0);
   require_in_range("lost_position", params.lost_position, params.ok_position, 1000.0);
   require_in_range("lost_heading", params.lost_heading, params.ok_heading, 4.0);
+  require_in_range("min_scene", params.min_scene, 0.0, 1.0);
+  require_in_range("carried_patience", params.carried_patience, 0.0, 60.0);
   require_in_range("scan_silence", params.scan_silence, 0.01, 60.0);
   require_in_range("motion_silence", params.motion_silence, 0.01, 60.0);
   require_in_range("lost_silence", params.lost_silence, 0.1, 3600.0);
@@ -65,6 +67,7 @@ void validate(const RecoveryParams& params) {
   require_in_range("min_evidence", params.min_evidence, 0.0, 1000.0);
   require_in_range("margin", params.margin, 0.0, 1000.0);
   require_in_range("drop", params.drop, params.margin, 1000.0);
+  require_in_range("memory", params.memory, 0, 10000);
   require_in_range("max_hypotheses", params.max_hypotheses, 1, 1000);
 }
 
@@ -84,6 +87,8 @@ void validate(const LocalizerParams& params) {
   validate_group("monitor", params.monitor);
   validate_group("constellation", params.constellation);
   validate_group("recovery", params.recovery);
+  require_in_range("mount_position", params.mount_position, 0.0, 1.0);
+  require_in_range("mount_heading", params.mount_heading, 0.0, 1.0);
   require_in_range("max_speed", params.max_speed, 0.0, 100.0);
   require_in_range("max_turn_rate", params.max_turn_rate, 0.0, 100.0);
 }

@@ -12,6 +12,8 @@ namespace {
 // gates shall find the landmarks, nothing else of it remains.
 constexpr double kPlaceDeviation = 0.2, kTurnDeviation = 0.03;
 
+constexpr double kSameLandmark = 0.4;  // [m]
+
 double excess(const PoseUpdate& update) {
   return 0.5 * std::max(0.0, update.nis - update.degrees_of_freedom);
 }
@@ -29,8 +31,33 @@ PoseHypotheses::PoseHypotheses(const LocalizerParams& params,
   validate(params_);
 }
 
+void PoseHypotheses::clear() {
+  places_.clear();
+  sightings_.clear();
+}
+
 void PoseHypotheses::move(const PoseEstimate& motion) {
   for (PoseHypothesis& place : places_) place.map_T_base = compose(place.map_T_base, motion);
+  const PoseEstimate back = inverse(motion);
+  for (Sighting& sighting : sightings_) sighting.in_base = transform(back, sighting.in_base);
+}
+
+// What is seen again is remembered as it was seen last.
+void PoseHypotheses::remember(const std::vector<LandmarkObservation>& observations) {
+  for (Sighting& sighting : sightings_) ++sighting.age;
+  const PoseEstimate base_T_laser{filter_params_.base_T_laser, Eigen::Matrix3d::Zero()};
+  std::vector<Sighting> seen;
+  for (const LandmarkObservation& observation : observations) {
+    if (observation.model != ObservationModel::kCartesian || !is_usable(observation)) continue;
+    seen.push_back({transform(base_T_laser, {observation.value, observation.covariance}), 0});
+  }
+  const auto goes = [&](const Sighting& old) {
+    return old.age > params_.memory || std::any_of(seen.begin(), seen.end(), [&](const auto& now) {
+             return (now.in_base.point - old.in_base.point).norm() < kSameLandmark;
+           });
+  };
+  sightings_.erase(std::remove_if(sightings_.begin(), sightings_.end(), goes), sightings_.end());
+  sightings_.insert(sightings_.end(), seen.begin(), seen.end());
 }
 
 void PoseHypotheses::correct(PoseHypothesis& place,
@@ -76,7 +103,15 @@ void PoseHypotheses::add_new(const std::vector<LandmarkObservation>& observation
 void PoseHypotheses::add_scan(const std::vector<LandmarkObservation>& observations,
                               const ScanSight* sight) {
   for (PoseHypothesis& place : places_) correct(place, observations, sight);
-  add_new(observations, sight);
+  remember(observations);
+  const PoseEstimate laser_T_base{filter_params_.base_T_laser.inverse(), Eigen::Matrix3d::Zero()};
+  std::vector<LandmarkObservation> all = observations;
+  for (const Sighting& sighting : sightings_) {
+    if (sighting.age == 0) continue;
+    const PointEstimate in_laser = transform(laser_T_base, sighting.in_base);
+    all.push_back({ObservationModel::kCartesian, in_laser.point, in_laser.covariance, {}});
+  }
+  add_new(all, sight);
   sort_and_drop();
 }
 

@@ -34,6 +34,14 @@ void PoseMonitor::begin(Time now, double evidence) {
   last_scan_ = last_motion_ = now;
   disagreed_.reset();
   set_back_.reset();
+  changed_.reset();
+}
+
+void PoseMonitor::scene_changed(Time stamp) {
+  window_.clear();
+  evidence_ = std::min(evidence_, 0.0);
+  agreed_ = 0;
+  if (!changed_) changed_ = stamp;
 }
 
 void PoseMonitor::clock_set_back(Time stamp) {
@@ -47,7 +55,10 @@ void PoseMonitor::clock_set_back(Time stamp) {
 void PoseMonitor::add(Time stamp, const ScanEvidence& scan) {
   evidence_ = std::clamp(evidence_ + scan.log_odds, -params_.bound, params_.bound);
   if (scan.agreement.used > 0 && scan.log_odds > 0.0) ++agreed_;
-  if (agreed_ >= params_.confirmations) set_back_.reset();
+  if (agreed_ >= params_.confirmations) {
+    set_back_.reset();
+    changed_.reset();
+  }
   last_scan_ = std::max(last_scan_, stamp);
   window_.push_back({stamp, scan.agreement});
   while (older(last_scan_, window_.front().stamp, params_.window)) window_.pop_front();
@@ -55,6 +66,9 @@ void PoseMonitor::add(Time stamp, const ScanEvidence& scan) {
 
 PoseVerdict PoseMonitor::judge(Time now, const PoseEstimate& pose) const {
   const Deviations deviation = deviations_of(pose);
+  if (changed_ && older(now, *changed_, params_.carried_patience)) {
+    return {LocalizationStatus::kLost, LocalizationReason::kCarried};
+  }
   if (evidence_ <= params_.lost_evidence) {
     return {LocalizationStatus::kLost, LocalizationReason::kContradicted};
   }

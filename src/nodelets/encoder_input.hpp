@@ -4,7 +4,9 @@
 
 #include <ros/ros.h>
 
+#include <cstddef>
 #include <functional>
+#include <string>
 
 #include "falko_slam/ros_bridge/vehicle_params.hpp"
 
@@ -17,6 +19,7 @@ class EncoderInput {
                std::function<void(const EncoderReading&)> received);
 
   std::string topic() const { return subscriber_.getTopic(); }
+  std::size_t publishers() const { return subscriber_.getNumPublishers(); }
 
  private:
   ros::Subscriber subscriber_;

@@ -5,9 +5,7 @@
 #include <ros/exception.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/LaserScan.h>
-#include <tf2/buffer_core.h>
 #include <tf2/exceptions.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <stdexcept>
 #include <variant>
@@ -15,39 +13,13 @@
 #include "falko_slam/ros_bridge/laser_pose.hpp"
 #include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 #include "falko_slam/sensor/carmen_log.hpp"
+#include "recorded_tf.hpp"
 #include "recording_topics.hpp"
 
 namespace falko_slam {
 namespace {
 
 using Use = std::function<void(const RecordedScan&)>;
-
-// All of the bag's tf, for the whole of its time.
-class RecordedTf {
- public:
-  explicit RecordedTf(const rosbag::Bag& bag) : buffer_(ros::DURATION_MAX) {
-    for (const char* topic : {"/tf", "tf", "/tf_static", "tf_static"}) read(bag, topic);
-  }
-
-  const tf2::BufferCore& buffer() const { return buffer_; }
-
- private:
-  void read(const rosbag::Bag& bag, const std::string& topic) {
-    const bool is_static = topic.find("static") != std::string::npos;
-    rosbag::View view(bag, rosbag::TopicQuery(topic));
-    for (const rosbag::MessageInstance& instance : view) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) continue;
-      for (geometry_msgs::TransformStamped transform : message->transforms) {
-        transform.header.frame_id = tf_frame(transform.header.frame_id);
-        transform.child_frame_id = tf_frame(transform.child_frame_id);
-        buffer_.setTransform(transform, "bag", is_static);
-      }
-    }
-  }
-
-  tf2::BufferCore buffer_;
-};
 
 class BagDrive {
  public:

@@ -34,35 +34,35 @@ ParameterReader::ParameterReader(const XmlRpcValue& tree, std::string name)
     : tree_(tree), name_(std::move(name)) {}
 
 void ParameterReader::begin(const char* group) {
-  known_.insert(group);
-  group_ = group;
-  if (tree_.getType() != XmlRpcValue::TypeStruct || !tree_.hasMember(group_)) return;
-  if (tree_[group_].getType() != XmlRpcValue::TypeStruct) {
-    group_.clear();
-    fail(group, tree_[group], "a group");
-  }
+  XmlRpcValue* found = find(group);
+  if (found != nullptr && found->getType() != XmlRpcValue::TypeStruct)
+    fail(group, *found, "a group");
+  groups_.emplace_back(group);
 }
 
-void ParameterReader::end() { group_.clear(); }
+void ParameterReader::end() { groups_.pop_back(); }
 
-std::string ParameterReader::full_name(const std::string& name) const {
-  return name_ + "/" + (group_.empty() ? name : group_ + "/" + name);
+std::string ParameterReader::path_of(const std::string& name) const {
+  std::string path;
+  for (const std::string& group : groups_) path += group + "/";
+  return path + name;
 }
 
 XmlRpcValue* ParameterReader::find(const char* name) {
-  known_.insert(group_.empty() ? name : group_ + "/" + name);
-  if (tree_.getType() != XmlRpcValue::TypeStruct) return nullptr;
+  known_.insert(path_of(name));
   XmlRpcValue* level = &tree_;
-  if (!group_.empty()) {
-    if (!tree_.hasMember(group_)) return nullptr;
-    level = &tree_[group_];
+  for (const std::string& group : groups_) {
+    if (level->getType() != XmlRpcValue::TypeStruct || !level->hasMember(group)) return nullptr;
+    level = &(*level)[group];
   }
+  if (level->getType() != XmlRpcValue::TypeStruct) return nullptr;
   return level->hasMember(name) ? &(*level)[name] : nullptr;
 }
 
 void ParameterReader::fail(const char* name, const XmlRpcValue& found,
                            const std::string& needed) const {
-  throw std::invalid_argument(full_name(name) + " is " + type_name(found) + ", must be " + needed);
+  throw std::invalid_argument(name_ + "/" + path_of(name) + " is " + type_name(found) +
+                              ", must be " + needed);
 }
 
 void ParameterReader::field(const char* name, double& value) {
@@ -84,6 +84,15 @@ void ParameterReader::field(const char* name, int& value) {
   value = static_cast<int>(*found);
 }
 
+void ParameterReader::field(const char* name, std::size_t& value) {
+  int whole = 0;
+  const XmlRpcValue* found = find(name);
+  if (found == nullptr) return;
+  field(name, whole);
+  if (whole < 0) fail(name, *found, "an integer above -1");
+  value = static_cast<std::size_t>(whole);
+}
+
 void ParameterReader::field(const char* name, bool& value) {
   XmlRpcValue* found = find(name);
   if (found == nullptr) return;
@@ -98,22 +107,28 @@ void ParameterReader::field(const char* name, std::string& value) {
   value = static_cast<std::string>(*found);
 }
 
-std::vector<std::string> ParameterReader::unknown(const std::set<std::string>& ignored) const {
-  std::vector<std::string> names;
-  if (tree_.getType() != XmlRpcValue::TypeStruct) return names;
-  XmlRpcValue tree = tree_;  // iteration is not const in this library
-  for (auto& [name, value] : tree) {
-    if (ignored.count(name) > 0) continue;
-    if (known_.count(name) == 0) {
-      names.push_back(name_ + "/" + name);
-    } else if (value.getType() == XmlRpcValue::TypeStruct) {
-      for (auto& [inner, unused] : value) {
-        (void)unused;
-        const std::string inner_name = std::string(name).append("/").append(inner);
-        if (known_.count(inner_name) == 0) names.push_back(name_ + "/" + inner_name);
-      }
+void ParameterReader::add_unknown(XmlRpcValue& level, const std::string& path,
+                                  std::vector<std::string>& names) const {
+  if (level.getType() != XmlRpcValue::TypeStruct) return;
+  for (auto& [name, value] : level) {
+    const std::string place = path + name;
+    if (known_.count(place) == 0) {
+      names.push_back(name_ + "/" + place);
+    } else {
+      add_unknown(value, place + "/", names);
     }
   }
+}
+
+std::vector<std::string> ParameterReader::unknown(const std::set<std::string>& ignored) const {
+  std::vector<std::string> names;
+  XmlRpcValue tree = tree_;  // iteration is not const in this library
+  if (tree.getType() != XmlRpcValue::TypeStruct) return names;
+  XmlRpcValue asked_for;
+  for (auto& [name, value] : tree) {
+    if (ignored.count(name) == 0) asked_for[name] = value;
+  }
+  add_unknown(asked_for, "", names);
   return names;
 }
 

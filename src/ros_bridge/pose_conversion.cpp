@@ -63,10 +63,18 @@ geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate) {
 }
 
 Pose2 in_plane(const geometry_msgs::Transform& transform) {
-  const auto& q = transform.rotation;
+  geometry_msgs::Pose pose;
+  pose.position.x = transform.translation.x;
+  pose.position.y = transform.translation.y;
+  pose.orientation = transform.rotation;
+  return in_plane(pose);
+}
+
+Pose2 in_plane(const geometry_msgs::Pose& pose) {
+  const auto& q = pose.orientation;
   const double heading =
       std::atan2(2.0 * (q.x * q.y + q.w * q.z), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-  return {transform.translation.x, transform.translation.y, heading};
+  return {pose.position.x, pose.position.y, heading};
 }
 
 bool turns_upside_down(const geometry_msgs::Transform& transform) {

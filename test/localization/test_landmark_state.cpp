@@ -129,7 +129,7 @@ TEST(StateJointDistance, IsThatOfTheWholeMatrixInWhateverOrder) {
   std::mt19937_64 random = test::seeded_random();
   const LandmarkState state = random_state(random, 6);
   const auto rows = random_rows(random, 6);
-  StateJointDistance distance(state, rows);
+  StateJointDistance distance(state, rows, 6);
   for (const std::vector<std::size_t>& order :
        {std::vector<std::size_t>{0, 1, 2, 3, 4, 5}, {5, 3, 0}, {5, 1, 4, 2}}) {
     std::vector<LandmarkState::Row> chosen;

@@ -14,8 +14,8 @@ namespace test {
 /// A visitor of parameter fields that lists their values by name, "group/name" where in a group.
 class FieldValues {
  public:
-  void begin(const char* group) { prefix_ = std::string(group) + "/"; }
-  void end() { prefix_.clear(); }
+  void begin(const char* group) { prefix_ += std::string(group) + "/"; }
+  void end() { prefix_.erase(prefix_.rfind('/', prefix_.size() - 2) + 1); }
   void field(const char* name, double value) { values_[prefix_ + name] = number(value); }
   void field(const char* name, int value) { values_[prefix_ + name] = number(value); }
   void field(const char* name, unsigned int value) { values_[prefix_ + name] = number(value); }

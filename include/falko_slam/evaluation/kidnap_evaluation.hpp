@@ -16,6 +16,7 @@ struct Kidnap {
   Pose2 from, to;               ///< true poses
   double ok_until = 0.0;        ///< how long the wrong pose was still called kOk [s]
   double lost = -1.0;           ///< until no wrong pose is given any more; -1: never [s]
+  double three = -1.0;          ///< until a scan shows three landmarks; -1: never [s]
   double pose = -1.0;           ///< until the right pose is given; -1: not within the time [s]
   double ok = -1.0;             ///< until that is kOk; -1: not within the time [s]
   std::size_t wrong_ok = 0;     ///< scans after `lost` after which a wrong pose was kOk

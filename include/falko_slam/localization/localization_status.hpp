@@ -22,6 +22,7 @@ enum class LocalizationReason {
 
   // kLost
   kNoPose,        ///< none was set, none was searched for
+  kCarried,       ///< a scan showed quite another scene than the one before, none fitted since
   kContradicted,  ///< what is seen does not fit the map there
   kTooUncertain,  ///< the covariance is beyond the limits of a usable pose
   kNoSensors,     ///< neither motions nor scans for too long
@@ -42,7 +43,7 @@ enum class LocalizationReason {
   kFewLandmarks,       ///< too few landmarks for a while
   kUncertain,          ///< the covariance is beyond the limits of kOk
 };
-constexpr std::size_t kLocalizationReasonCount = 17;
+constexpr std::size_t kLocalizationReasonCount = 18;
 const char* name_of(LocalizationReason reason);
 
 /// A sentence for people.

@@ -41,7 +41,7 @@ class Localizer {
   const LocalizerReport& add_reflectors(Time stamp, std::vector<LandmarkObservation> observations);
 
   /// The pose at a stamp, as a person or another system knows it; motions since then are added. Its
-  /// covariance is taken at its word. Empty: the pose is unknown, nothing is searched for. Throws
+  /// covariance is taken at its word. Empty: the pose is unknown, as at the beginning. Throws
   /// std::invalid_argument for a pose or covariance that is none.
   void set_pose(Time stamp, const std::optional<PoseEstimate>& map_T_base);
 

@@ -33,6 +33,8 @@ void visit_monitor_fields(Params& params, Visitor& visitor) {
   visitor.field("ok_heading", params.ok_heading);
   visitor.field("lost_position", params.lost_position);
   visitor.field("lost_heading", params.lost_heading);
+  visitor.field("min_scene", params.min_scene);
+  visitor.field("carried_patience", params.carried_patience);
   visitor.field("scan_silence", params.scan_silence);
   visitor.field("motion_silence", params.motion_silence);
   visitor.field("lost_silence", params.lost_silence);
@@ -56,6 +58,7 @@ void visit_recovery_fields(Params& params, Visitor& visitor) {
   visitor.field("min_evidence", params.min_evidence);
   visitor.field("margin", params.margin);
   visitor.field("drop", params.drop);
+  visitor.field("memory", params.memory);
   visitor.field("max_hypotheses", params.max_hypotheses);
 }
 
@@ -114,6 +117,8 @@ void visit_localizer_fields(Params& params, Visitor& visitor) {
     visitor.end();
   };
   visitor.field("deskew", params.deskew);
+  visitor.field("mount_position", params.mount_position);
+  visitor.field("mount_heading", params.mount_heading);
   visitor.field("max_speed", params.max_speed);
   visitor.field("max_turn_rate", params.max_turn_rate);
   visitor.field("search_alone", params.search_alone);

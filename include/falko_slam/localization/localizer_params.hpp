@@ -43,6 +43,10 @@ struct PoseMonitorParams {
   double lost_position = 1.0;  ///< standard deviation of kLost at least [m], [ok_position, 1000]
   double lost_heading = 0.3;   ///< [rad], [ok_heading, 4]
 
+  /// Of the points of a scan the next one shows again, at least; fewer: carried elsewhere. [0, 1]
+  double min_scene = 0.7;
+  double carried_patience = 1.0;  ///< for scans to show that it was not [s], [0, 60]
+
   double scan_silence = 0.6;    ///< without scans no longer kOk [s], [0.01, 60]
   double motion_silence = 0.3;  ///< the same of motions [s], [0.01, 60]
   double lost_silence = 10.0;   ///< without either kLost [s], [0.1, 3600]
@@ -68,6 +72,7 @@ struct RecoveryParams {
   double min_evidence = 8.0;  ///< log odds at least. [0, 1000]
   double margin = 6.0;        ///< log odds more than any other place's. [0, 1000]
   double drop = 15.0;       ///< places with so much less than the best are dropped. [margin, 1000]
+  int memory = 50;          ///< scans that a landmark is remembered for. [0, 10000]
   int max_hypotheses = 30;  ///< carried along. [1, 1000]
 };
 /// Throws std::invalid_argument with the field and its value.
@@ -100,6 +105,10 @@ struct LocalizerParams {
   PoseMonitorParams monitor;
   ConstellationParams constellation;
   RecoveryParams recovery;
+  /// Standard deviations of base_T_laser. However many scans there are, the pose does not get
+  /// surer than that: what is reported has them in addition. [0, 1] [m], [0, 1] [rad]
+  double mount_position = 6e-4;
+  double mount_heading = 1.75e-4;
   /// Faster than this it does not move: what may have happened while the odometry was silent or
   /// wrong. [0, 100] [m/s], [0, 100] [rad/s]
   double max_speed = 2.0;

@@ -21,13 +21,14 @@ struct PoseHypothesis {
 
 /// Several places at once, until scans decide: each is moved by the odometry and corrected by every
 /// scan like a pose of its own (\cite blackman2004); every scan may bring new ones, by
-/// ConstellationSearch. Not thread-safe.
+/// ConstellationSearch among all that was seen in the last seconds: where one scan shows too few
+/// landmarks, those on the way may do. Not thread-safe.
 class PoseHypotheses {
  public:
   PoseHypotheses(const LocalizerParams& params, std::shared_ptr<const LandmarkIndex> map,
                  const PoseEvidence& evidence);
 
-  void clear() { places_.clear(); }
+  void clear();
 
   /// All places by the motion of base_link since the last scan.
   void move(const PoseEstimate& motion);
@@ -45,7 +46,14 @@ class PoseHypotheses {
                                               const std::vector<LandmarkObservation>& observations,
                                               const ScanSight* sight) const;
   void add_new(const std::vector<LandmarkObservation>& observations, const ScanSight* sight);
+  void remember(const std::vector<LandmarkObservation>& observations);
   void sort_and_drop();
+
+  // A landmark that was seen, and how many scans ago.
+  struct Sighting {
+    PointEstimate in_base;
+    int age = 0;
+  };
 
   RecoveryParams params_;
   PoseFilterParams filter_params_;
@@ -53,6 +61,7 @@ class PoseHypotheses {
   const PoseEvidence& evidence_;
   ConstellationSearch search_;
   std::vector<PoseHypothesis> places_;
+  std::vector<Sighting> sightings_;
 };
 
 }  // namespace falko_slam

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "falko_slam/common/time.hpp"
@@ -34,6 +36,8 @@ class PoseMonitor {
   /// Not kOk for the length of the window.
   void odometry_disagreed(Time stamp) { disagreed_ = stamp; }
   void clock_set_back(Time stamp);
+  /// The scene changed at once: what spoke for the pose counts no more, scans must do so anew.
+  void scene_changed(Time stamp);
 
   /// At a time not before any of these.
   PoseVerdict judge(Time now, const PoseEstimate& pose) const;
@@ -53,7 +57,7 @@ class PoseMonitor {
   double evidence_ = 0.0;
   int agreed_ = 0;  // scans since the beginning
   Time last_scan_{}, last_motion_{};
-  std::optional<Time> disagreed_, set_back_;
+  std::optional<Time> disagreed_, set_back_, changed_;
 };
 
 }  // namespace falko_slam

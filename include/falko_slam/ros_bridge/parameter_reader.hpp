@@ -5,6 +5,7 @@
 #include <XmlRpcValue.h>
 #include <ros/node_handle.h>
 
+#include <cstddef>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,7 @@ class ParameterReader {
   void end();
   void field(const char* name, double& value);
   void field(const char* name, int& value);
+  void field(const char* name, std::size_t& value);
   void field(const char* name, bool& value);
   void field(const char* name, std::string& value);
   template <class Enum>
@@ -36,14 +38,16 @@ class ParameterReader {
   std::vector<std::string> unknown(const std::set<std::string>& ignored = {}) const;
 
  private:
-  std::string full_name(const std::string& name) const;
+  std::string path_of(const std::string& name) const;
+  void add_unknown(XmlRpc::XmlRpcValue& level, const std::string& path,
+                   std::vector<std::string>& names) const;
   XmlRpc::XmlRpcValue* find(const char* name);
   [[noreturn]] void fail(const char* name, const XmlRpc::XmlRpcValue& found,
                          const std::string& needed) const;
 
   XmlRpc::XmlRpcValue tree_;
   std::string name_;
-  std::string group_;
+  std::vector<std::string> groups_;  // each within the one before
   std::set<std::string> known_;
 };
 
@@ -56,7 +60,8 @@ void ParameterReader::choice(const char* name, Enum& value, const EnumNames<Enum
   field(name, text);
   const auto found = value_of(text, names);
   if (!found) {
-    throw std::invalid_argument(full_name(name) + " = " + text + ": must be " + list_names(names));
+    throw std::invalid_argument(name_ + "/" + path_of(name) + " = " + text + ": must be " +
+                                list_names(names));
   }
   value = *found;
 }

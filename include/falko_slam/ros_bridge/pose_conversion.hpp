@@ -37,6 +37,7 @@ geometry_msgs::PoseWithCovariance to_message(const PoseEstimate& estimate);
 
 /// What a transform does in the plane: where it puts the origin, and where the x axis points then.
 Pose2 in_plane(const geometry_msgs::Transform& transform);
+Pose2 in_plane(const geometry_msgs::Pose& pose);
 
 /// The z axis points down after it.
 bool turns_upside_down(const geometry_msgs::Transform& transform);

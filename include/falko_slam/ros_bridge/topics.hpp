@@ -32,10 +32,17 @@ constexpr char kGraphMarkers[] = "graph_markers";  ///< visualization_msgs/Marke
 
 constexpr char kCalibrationMarkers[] = "calibration_markers";  ///< MarkerArray, latched
 
+constexpr char kInitialPose[] = "initialpose";     ///< geometry_msgs/PoseWithCovarianceStamped
+constexpr char kLocalizedOdometry[] = "odometry";  ///< nav_msgs/Odometry, in the map
+constexpr char kLandmarks[] = "landmarks";         ///< falko_slam/LandmarkArray
+constexpr char kMarkers[] = "markers";             ///< visualization_msgs/MarkerArray
+constexpr char kStatus[] = "status";               ///< falko_slam/LocalizerStatus, latched
+
 constexpr char kCalibrate[] = "calibrate";  ///< action, falko_slam/Calibrate
 
 // Services, in the node's private namespace.
-constexpr char kGlobalLocalization[] = "global_localization";  ///< falko_slam/GlobalLocalization
+constexpr char kGlobalLocalization[] = "global_localization";  ///< falko_slam/GlobalLocalization,
+                                                               ///< or std_srvs/Trigger
 constexpr char kSaveKeyframes[] = "save_keyframes";            ///< falko_slam/SaveKeyframes
 constexpr char kLoadKeyframes[] = "load_keyframes";            ///< falko_slam/LoadKeyframes
 constexpr char kDynamicMap[] = "dynamic_map";                  ///< nav_msgs/GetMap
@@ -44,6 +51,7 @@ constexpr char kSaveState[] = "save_state";                    ///< falko_slam/S
 constexpr char kLoadState[] = "load_state";                    ///< falko_slam/LoadState
 constexpr char kPause[] = "pause";                             ///< std_srvs/SetBool
 constexpr char kComputeCalibration[] = "compute_calibration";  ///< falko_slam/ComputeCalibration
+constexpr char kSetPose[] = "set_pose";                        ///< falko_slam/SetPose
 constexpr char kReset[] = "reset";                             ///< std_srvs/Trigger
 
 }  // namespace topics

@@ -1,0 +1,118 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/localizer_diagnostics.hpp"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+
+#include <algorithm>
+
+#include "falko_slam/common/number_text.hpp"
+#include "falko_slam/ros_bridge/localizer_conversion.hpp"
+
+namespace falko_slam {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+void LocalizerDiagnostics::moved(double now) {
+  motions_.last = now;
+  ++motions_.count;
+}
+
+void LocalizerDiagnostics::scanned(double now, double duration) {
+  scans_.last = now;
+  ++scans_.count;
+  busy_ += duration;
+  longest_ = std::max(longest_, duration);
+}
+
+void LocalizerDiagnostics::unusable(const ScanReport& report) {
+  ++unusable_;
+  fault_ = "unusable scan: " + describe(report);
+}
+
+void LocalizerDiagnostics::refused(InputVerdict verdict) {
+  if (verdict != InputVerdict::kInOrder && verdict != InputVerdict::kLate) ++refused_;
+}
+
+std::string LocalizerDiagnostics::silence_of(const Input& input, const InputState& state,
+                                             double now) const {
+  const double since = now - std::max(input.last, started_);
+  if (since <= params_.input_timeout) return "";
+  const std::string what = state.publishers == 0 ? "nobody publishes " : "nothing comes on ";
+  return what + state.topic + " (for " + fixed_text(since, 1) + " s)";
+}
+
+void LocalizerDiagnostics::summarize(DiagnosticStatusWrapper& status, double now,
+                                     const LocalizerReport& state, const InputState& motions,
+                                     const InputState& scans) const {
+  status.summary(DiagnosticStatus::OK, std::string("localized: ") + name_of(state.status));
+  const auto warn = [&](const std::string& text) {
+    if (!text.empty()) status.mergeSummary(DiagnosticStatus::WARN, text);
+  };
+  const std::string words = std::string(name_of(state.status)) + ": " + describe(state.reason);
+  if (state.status == LocalizationStatus::kLost) status.summary(DiagnosticStatus::ERROR, words);
+  if (state.status == LocalizationStatus::kDegraded ||
+      state.status == LocalizationStatus::kRecovering) {
+    status.summary(DiagnosticStatus::WARN, words);
+  }
+  if (!fault_.empty()) status.mergeSummary(DiagnosticStatus::ERROR, fault_);
+  warn(silence_of(motions_, motions, now));
+  warn(silence_of(scans_, scans, now));
+  warn(warning_);
+  if (!state.map_T_base) return;
+  const Eigen::Vector3d deviations = deviations_of(*state.map_T_base);
+  const double position = std::max(deviations(0), deviations(1));
+  if (position > params_.warn_position) {
+    warn("standard deviation of " + fixed_text(position, 3) + " m, more than " +
+         fixed_text(params_.warn_position, 3));
+  }
+  if (deviations(2) > params_.warn_heading) {
+    warn("standard deviation of the heading of " + fixed_text(deviations(2), 4) +
+         " rad, more than " + fixed_text(params_.warn_heading, 4));
+  }
+}
+
+void LocalizerDiagnostics::add_values(DiagnosticStatusWrapper& status, double now,
+                                      const LocalizerReport& state) const {
+  const double seconds = now - last_report_;
+  const auto rate = [&](const Input& input) {
+    return seconds > 0.0 ? static_cast<double>(input.count) / seconds : 0.0;
+  };
+  status.add("status", name_of(state.status));
+  status.add("reason", name_of(state.reason));
+  status.addf("rate of motions [1/s]", "%.1f", rate(motions_));
+  status.addf("rate of scans [1/s]", "%.1f", rate(scans_));
+  status.addf("time since the last scan [s]", "%.2f", now - std::max(scans_.last, started_));
+  status.add("landmarks observed", state.seen.size());
+  status.add("landmarks matched", state.agreement.used);
+  status.add("landmarks expected", state.agreement.expected);
+  status.add("landmarks missed", state.agreement.missed);
+  if (state.map_T_base) {
+    const Eigen::Vector3d deviations = deviations_of(*state.map_T_base);
+    status.addf("deviation along [m]", "%.4f", deviations(0));
+    status.addf("deviation across [m]", "%.4f", deviations(1));
+    status.addf("deviation of the heading [rad]", "%.5f", deviations(2));
+  }
+  status.addf("evidence", "%.1f", state.evidence);
+  status.add("places compared", state.hypotheses);
+  status.add("scans unusable", unusable_);
+  status.add("inputs refused", refused_);
+  const auto scans = static_cast<double>(std::max<std::size_t>(scans_.count, 1));
+  status.addf("time per scan, mean [ms]", "%.2f", 1e3 * busy_ / scans);
+  status.addf("time per scan, longest [ms]", "%.2f", 1e3 * longest_);
+  status.add("pose file", pose_file_);
+}
+
+void LocalizerDiagnostics::report(DiagnosticStatusWrapper& status, double now,
+                                  const LocalizerReport& state, const InputState& motions,
+                                  const InputState& scans) {
+  summarize(status, now, state, motions, scans);
+  add_values(status, now, state);
+  last_report_ = now;
+  motions_.count = scans_.count = 0;
+  busy_ = longest_ = 0.0;
+  fault_.clear();
+}
+
+}  // namespace falko_slam

@@ -1,0 +1,130 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/localizer_markers.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "falko_slam/ros_bridge/pose_conversion.hpp"
+
+namespace falko_slam {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+struct Look {
+  const char* name;
+  float red, green, blue, alpha;
+  double size;  // of a point or a line's width [m]
+};
+
+constexpr Look kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
+constexpr Look kFeatures{"features", 0.3F, 0.6F, 1.0F, 1.0F, 0.20};
+constexpr Look kUsed{"used", 0.0F, 0.9F, 0.3F, 0.8F, 0.04};
+constexpr Look kStrangers{"strangers", 0.9F, 0.2F, 0.1F, 0.7F, 0.04};
+constexpr Look kPose{"pose", 0.0F, 0.9F, 0.3F, 1.0F, 0.12};
+constexpr Look kDeviation{"deviation", 0.7F, 0.3F, 1.0F, 0.6F, 0.05};
+constexpr double kDeviations = 3.0;
+
+Marker marker_of(const Look& look, std::int32_t type, const std_msgs::Header& header) {
+  Marker marker;
+  marker.header = header;
+  marker.ns = look.name;
+  marker.type = type;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = marker.scale.z = look.size;
+  marker.color.r = look.red;
+  marker.color.g = look.green;
+  marker.color.b = look.blue;
+  marker.color.a = look.alpha;
+  return marker;
+}
+
+void add_point(Marker& marker, const Eigen::Vector2d& point) {
+  geometry_msgs::Point message;
+  message.x = point.x();
+  message.y = point.y();
+  marker.points.push_back(message);
+}
+
+// Only what has points is drawn; the rest takes away what was there.
+void append(Marker marker, MarkerArray& markers) {
+  if (marker.points.empty()) marker.action = Marker::DELETE;
+  markers.markers.push_back(std::move(marker));
+}
+
+void add_map(const LandmarkMap& map, const std_msgs::Header& header, MarkerArray& markers) {
+  Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);
+  Marker features = marker_of(kFeatures, Marker::CUBE_LIST, header);
+  for (const MapLandmark& landmark : map.landmarks) {
+    add_point(landmark.kind == LandmarkKind::kReflector ? reflectors : features, landmark.position);
+  }
+  append(std::move(reflectors), markers);
+  append(std::move(features), markers);
+}
+
+bool is_stranger(ObservationVerdict verdict) {
+  return verdict == ObservationVerdict::kNoLandmark ||
+         verdict == ObservationVerdict::kIncompatible || verdict == ObservationVerdict::kUnknownId;
+}
+
+void add_sight(const LocalizerReport& report, const Pose2& map_T_laser,
+               const std_msgs::Header& header, MarkerArray& markers) {
+  Marker used = marker_of(kUsed, Marker::LINE_LIST, header);
+  Marker strangers = marker_of(kStrangers, Marker::LINE_LIST, header);
+  for (const SeenLandmark& seen : report.seen) {
+    const bool is_used = seen.verdict == ObservationVerdict::kUsed;
+    if (!is_used && !is_stranger(seen.verdict)) continue;
+    Marker& marker = is_used ? used : strangers;
+    add_point(marker, map_T_laser.translation());
+    add_point(marker, map_T_laser * seen.in_laser);
+  }
+  append(std::move(used), markers);
+  append(std::move(strangers), markers);
+}
+
+Marker ellipse_of(const PoseEstimate& estimate, const std_msgs::Header& header) {
+  Marker marker = marker_of(kDeviation, Marker::CYLINDER, header);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(
+      estimate.covariance.topLeftCorner<2, 2>());
+  const Eigen::Vector2d across = solver.eigenvectors().col(1);
+  marker.pose = to_message(Pose2(estimate.pose.translation(), std::atan2(across.y(), across.x())));
+  const auto axis = [&](Eigen::Index i) {
+    return std::max(0.01, 2.0 * kDeviations * std::sqrt(std::max(0.0, solver.eigenvalues()(i))));
+  };
+  marker.scale.x = axis(1);
+  marker.scale.y = axis(0);
+  return marker;
+}
+
+void add_pose(const LocalizerReport& report, const std_msgs::Header& header, MarkerArray& markers) {
+  Marker arrow = marker_of(kPose, Marker::ARROW, header);
+  arrow.scale.x = 1.0;
+  Marker ellipse = marker_of(kDeviation, Marker::CYLINDER, header);
+  if (report.map_T_base) {
+    arrow.pose = to_message(report.map_T_base->pose);
+    ellipse = ellipse_of(*report.map_T_base, header);
+  } else {
+    arrow.action = ellipse.action = Marker::DELETE;
+  }
+  markers.markers.push_back(arrow);
+  markers.markers.push_back(ellipse);
+}
+
+}  // namespace
+
+MarkerArray localizer_markers(const LocalizerReport& report, const LandmarkMap& map,
+                              const Pose2& base_T_laser, const std::string& map_frame) {
+  const std_msgs::Header header = header_of(report.stamp, map_frame);
+  MarkerArray markers;
+  add_map(map, header, markers);
+  const bool placed = report.map_T_base.has_value();
+  add_sight(placed ? report : LocalizerReport(),
+            placed ? report.map_T_base->pose * base_T_laser : Pose2(), header, markers);
+  add_pose(report, header, markers);
+  return markers;
+}
+
+}  // namespace falko_slam
