@@ -244,7 +244,9 @@ void Localizer::Impl::track_scan(const ScanLandmarks& landmarks, Observations ob
   report_.input = input.verdict;
   report_seen(observations, input.update ? &*input.update : nullptr);
   if (!input.update) return;
-  const ScanEvidence scan = evidence_.judge(prior, observations, *input.update, sight);
+  std::vector<LandmarkKind> kinds;
+  for (const TimedObservation& seen : landmarks.seen) kinds.push_back(seen.kind);
+  const ScanEvidence scan = evidence_.judge(prior, observations, *input.update, sight, kinds);
   report_.agreement = scan.agreement;
   monitor_.add(landmarks.instant, scan);
 }

@@ -31,17 +31,19 @@ struct ScanEvidence {
 ///
 /// p_c is taken to be 0.02 at least: maps are regular, and errors of one scan come again in the
 /// next. Not more landmarks count as missed than there are observations: a scanner that sees none
-/// at all is as blind elsewhere.
+/// at all is as blind elsewhere. Where the map has reflectors, a corner that fits nothing tells
+/// nothing: maps hold the few corners that are found again and again.
 class PoseEvidence {
  public:
   PoseEvidence(const PoseEvidenceParams& params, const PoseFilterParams& filter,
                const LandmarkMap& map, std::shared_ptr<const LandmarkIndex> index,
                double gate_probability);
 
-  /// `prior` is the pose before the update. Without a sight nothing counts as missed.
+  /// `prior` is the pose before the update. Without a sight nothing counts as missed. `kinds` of
+  /// the observations; empty: not known.
   ScanEvidence judge(const PoseEstimate& prior,
                      const std::vector<LandmarkObservation>& observations, const PoseUpdate& update,
-                     const ScanSight* sight) const;
+                     const ScanSight* sight, const std::vector<LandmarkKind>& kinds = {}) const;
 
  private:
   double chance_of(const PoseEstimate& prior, const LandmarkObservation& observation) const;
@@ -51,6 +53,7 @@ class PoseEvidence {
   PoseEvidenceParams params_;
   Pose2 base_T_laser_;
   std::shared_ptr<const LandmarkIndex> index_;
+  bool corners_tell_ = true;         // when they fit nothing
   std::vector<bool> expected_kind_;  // of each landmark: found wherever it is in sight
   double gate_;
   double density_;  // landmarks per square metre
