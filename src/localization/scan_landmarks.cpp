@@ -14,6 +14,16 @@ bool holds(const LandmarkMap& map, LandmarkKind kind) {
                      [kind](const MapLandmark& landmark) { return landmark.kind == kind; });
 }
 
+// Filters do not know kinds: such a corner would claim the reflector's place.
+constexpr double kBesideReflector = 0.3;  // [m]
+
+bool is_beside_reflector(const Eigen::Vector2d& corner, const std::vector<TimedObservation>& seen) {
+  return std::any_of(seen.begin(), seen.end(), [&](const TimedObservation& other) {
+    return other.kind == LandmarkKind::kReflector &&
+           (other.observation.value - corner).norm() < kBesideReflector;
+  });
+}
+
 Time middle_of(const LaserScan& scan) {
   if (scan.size() == 0) return scan.first_beam_time;
   return scan.first_beam_time + scan.time_increment * static_cast<Duration::rep>(scan.size()) / 2;
@@ -76,6 +86,7 @@ void LandmarkDetector::add_corners(const LaserScan& scan, const OdometryTrack& t
       features_.position_noise * features_.position_noise * Eigen::Matrix2d::Identity();
   for (const Keypoint& keypoint : keypoints_) {
     if (!(keypoint.position.norm() <= features_.max_range)) continue;
+    if (is_beside_reflector(keypoint.position, result.seen)) continue;
     result.seen.push_back({{ObservationModel::kCartesian, keypoint.position, covariance, {}},
                            LandmarkKind::kFeature,
                            result.instant - scan.beam_time(keypoint.beam)});
