@@ -191,7 +191,7 @@ void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSi
   if (history_) {
     track_scan(landmarks, observations, sight);
   } else if (searching_) {
-    search_scan(landmarks, observations, sight);
+    search_scan(landmarks, observations_of(telling(landmarks)), sight);
   } else {
     report_seen(observations, nullptr);
   }
@@ -200,20 +200,20 @@ void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSi
 
 // A scan that the pose does not explain, but one does that the vehicle can have got to: then the
 // odometry told too little. The pose may move that far.
-bool Localizer::Impl::let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
+bool Localizer::Impl::let_it_slip(const ScanLandmarks& all, const PoseEstimate& prior,
                                   Observations& observations) {
+  const ScanLandmarks landmarks = telling(all);
+  Observations blurred = observations_of(landmarks);
   const std::size_t fitting =
-      associate(prior, params_.base_T_laser, *index_, observations, params_.association)
-          .pairs.size();
-  if (fitting >= 3 || (fitting > 0 && 2 * fitting >= observations.size())) {
+      associate(prior, params_.base_T_laser, *index_, blurred, params_.association).pairs.size();
+  if (fitting >= 3 || (fitting > 0 && 2 * fitting >= blurred.size())) {
     fitted_ = landmarks.instant;
     return false;
   }
-  if (observations.size() < 3) return false;
+  if (blurred.size() < 3) return false;
   const double time = std::clamp(to_seconds(landmarks.instant - fitted_), 0.05, kLongestSlip);
   PoseEstimate wider = prior;
   wider.covariance += pose_covariance(params_.max_speed * time, params_.max_turn_rate * time);
-  Observations blurred = observations;
   for (std::size_t i = 0; i < blurred.size(); ++i) {
     const double way = params_.max_speed * to_seconds(landmarks.seen[i].moved);
     if (blurred[i].model != ObservationModel::kCartesian) continue;
@@ -221,13 +221,25 @@ bool Localizer::Impl::let_it_slip(const ScanLandmarks& landmarks, const PoseEsti
   }
   const std::vector<LandmarkPair> pairs =
       associate(wider, params_.base_T_laser, *index_, blurred, params_.association).pairs;
-  if (pairs.size() < 3 || 10 * pairs.size() < 6 * observations.size()) return false;
+  if (pairs.size() < 3 || 10 * pairs.size() < 6 * blurred.size()) return false;
   if (!within_reach(prior.pose, correct(wider, pairs).map_T_base.pose, time)) return false;
   restart_at(landmarks.instant, wider);
   observations = std::move(blurred);
   monitor_.odometry_disagreed(landmarks.instant);
   fitted_ = landmarks.instant;
   return true;
+}
+
+// Those that decide where the vehicle is: corners only where the map has nothing else.
+ScanLandmarks Localizer::Impl::telling(const ScanLandmarks& landmarks) const {
+  ScanLandmarks result = landmarks;
+  if (evidence_.corners_tell()) return result;
+  const auto is_corner = [](const TimedObservation& seen) {
+    return seen.kind != LandmarkKind::kReflector;
+  };
+  result.seen.erase(std::remove_if(result.seen.begin(), result.seen.end(), is_corner),
+                    result.seen.end());
+  return result;
 }
 
 bool Localizer::Impl::within_reach(const Pose2& from, const Pose2& to, double time) const {
@@ -239,13 +251,16 @@ bool Localizer::Impl::within_reach(const Pose2& from, const Pose2& to, double ti
 void Localizer::Impl::track_scan(const ScanLandmarks& landmarks, Observations observations,
                                  const ScanSight* sight) {
   PoseEstimate prior = prior_at(landmarks.instant);
-  if (let_it_slip(landmarks, prior, observations)) prior = prior_at(landmarks.instant);
+  const bool slipped = let_it_slip(landmarks, prior, observations);
+  if (slipped) prior = prior_at(landmarks.instant);
   InputReport input = history_->add_observations(landmarks.instant, observations);
   report_.input = input.verdict;
   report_seen(observations, input.update ? &*input.update : nullptr);
   if (!input.update) return;
   std::vector<LandmarkKind> kinds;
-  for (const TimedObservation& seen : landmarks.seen) kinds.push_back(seen.kind);
+  for (const TimedObservation& seen : (slipped ? telling(landmarks) : landmarks).seen) {
+    kinds.push_back(seen.kind);
+  }
   const ScanEvidence scan = evidence_.judge(prior, observations, *input.update, sight, kinds);
   report_.agreement = scan.agreement;
   monitor_.add(landmarks.instant, scan);

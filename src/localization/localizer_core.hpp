@@ -39,8 +39,8 @@ class Localizer::Impl {
 
   void restart_at(Time stamp, const PoseEstimate& map_T_base);
   PoseEstimate prior_at(Time instant) const;
-  bool let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
-                   Observations& observations);
+  ScanLandmarks telling(const ScanLandmarks& landmarks) const;
+  bool let_it_slip(const ScanLandmarks& all, const PoseEstimate& prior, Observations& observations);
   bool within_reach(const Pose2& from, const Pose2& to, double time) const;
   void track_scan(const ScanLandmarks& landmarks, Observations observations,
                   const ScanSight* sight);

@@ -104,7 +104,7 @@ ScanEvidence PoseEvidence::judge(const PoseEstimate& prior,
     mean_chance = std::max(mean_chance, chance);
     if (verdicts[i] == ObservationVerdict::kUsed) {
       ++agreement.used;
-      result.log_odds += std::log(params_.mapped / chance);
+      if (tells(i)) result.log_odds += std::log(params_.mapped / chance);
     } else if (fits_nothing(verdicts[i]) && tells(i)) {
       ++agreement.strangers;
       result.log_odds += std::min(0.0, std::log((1.0 - params_.mapped) / (1.0 - chance)));
