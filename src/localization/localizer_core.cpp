@@ -26,6 +26,15 @@ std::shared_ptr<const LandmarkIndex> index_of(const LandmarkMap& map) {
   return std::make_shared<LandmarkIndex>(std::move(landmarks));
 }
 
+// The reflectors, or all where there are none.
+LandmarkMap telling_part_of(const LandmarkMap& map) {
+  LandmarkMap result;
+  for (const MapLandmark& landmark : map.landmarks) {
+    if (landmark.kind == LandmarkKind::kReflector) result.landmarks.push_back(landmark);
+  }
+  return result.landmarks.empty() ? map : result;
+}
+
 bool is_usable(const PoseEstimate& motion) {
   return motion.pose.translation().allFinite() && std::isfinite(motion.pose.theta()) &&
          is_positive_semidefinite<3>(motion.covariance);
@@ -47,12 +56,16 @@ std::vector<LandmarkObservation> observations_of(const ScanLandmarks& landmarks)
 Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
     : params_(validated(params)),
       index_(index_of(map)),
+      telling_map_(telling_part_of(map)),
+      telling_index_(index_of(telling_map_)),
       filter_params_{params_.base_T_laser, params_.association},
       detector_(params_, map),
       evidence_(params_.monitor.evidence, filter_params_, map, index_,
                 params_.association.gate_probability),
+      telling_evidence_(params_.monitor.evidence, filter_params_, telling_map_, telling_index_,
+                        params_.association.gate_probability),
       monitor_(params_.monitor),
-      hypotheses_(params_, index_, evidence_),
+      hypotheses_(params_, telling_index_, telling_evidence_),
       track_(from_seconds(2.0 * params_.history.span + 1.0)),
       scene_(params_.base_T_laser) {
   forget_pose(params_.search_alone);
@@ -205,7 +218,8 @@ bool Localizer::Impl::let_it_slip(const ScanLandmarks& all, const PoseEstimate& 
   const ScanLandmarks landmarks = telling(all);
   Observations blurred = observations_of(landmarks);
   const std::size_t fitting =
-      associate(prior, params_.base_T_laser, *index_, blurred, params_.association).pairs.size();
+      associate(prior, params_.base_T_laser, *telling_index_, blurred, params_.association)
+          .pairs.size();
   if (fitting >= 3 || (fitting > 0 && 2 * fitting >= blurred.size())) {
     fitted_ = landmarks.instant;
     return false;
@@ -220,7 +234,7 @@ bool Localizer::Impl::let_it_slip(const ScanLandmarks& all, const PoseEstimate& 
     blurred[i].covariance += way * way * Eigen::Matrix2d::Identity();
   }
   const std::vector<LandmarkPair> pairs =
-      associate(wider, params_.base_T_laser, *index_, blurred, params_.association).pairs;
+      associate(wider, params_.base_T_laser, *telling_index_, blurred, params_.association).pairs;
   if (pairs.size() < 3 || 10 * pairs.size() < 6 * blurred.size()) return false;
   if (!within_reach(prior.pose, correct(wider, pairs).map_T_base.pose, time)) return false;
   restart_at(landmarks.instant, wider);

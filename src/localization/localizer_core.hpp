@@ -50,9 +50,11 @@ class Localizer::Impl {
   void judge();
 
   std::shared_ptr<const LandmarkIndex> index_;
+  LandmarkMap telling_map_;  // what decides where the vehicle is
+  std::shared_ptr<const LandmarkIndex> telling_index_;
   PoseFilterParams filter_params_;
   LandmarkDetector detector_;
-  PoseEvidence evidence_;
+  PoseEvidence evidence_, telling_evidence_;
   PoseMonitor monitor_;
   PoseHypotheses hypotheses_;
   OdometryTrack track_;
