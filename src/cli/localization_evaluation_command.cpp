@@ -110,6 +110,8 @@ void add_simulated(CLI::App* verb, EvaluateLocalizationOptions& options) {
       ->check(number_in(0.0, 1.0));
   verb->add_option("--steer", simulated.odometry.steer, "the same of the steering [rad sqrt(m)]")
       ->check(number_in(0.0, 1.0));
+  verb->add_option("--map", simulated.map,
+                   "YAML file of landmarks; default: the scenario's reflectors");
   verb->add_flag("--perfect-calibration", simulated.perfect_calibration,
                  "the vehicle is what it is taken for");
   verb->add_flag("--no-deskew", options.no_deskew, "scans are taken for instants");

@@ -11,6 +11,7 @@
 #include "falko_slam/common/yaml_fields.hpp"
 #include "falko_slam/evaluation/surveyed_map.hpp"
 #include "falko_slam/geometry/angles.hpp"
+#include "falko_slam/localization/landmark_map.hpp"
 #include "falko_slam/localization/localizer_fields.hpp"
 #include "falko_slam/simulation/laser_scanner.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
@@ -39,6 +40,7 @@ SimulatedDrive drive_of(const Options& options, const Scenario& scenario, std::u
 }
 
 LandmarkMap map_of(const Options& options, const World& world, std::uint64_t seed) {
+  if (!options.map.empty()) return read_landmark_map(options.map);
   std::mt19937_64 random(seed);
   return surveyed_map(world, options.survey_noise, random);
 }

@@ -19,6 +19,7 @@ struct SimulatedLocalizationOptions {
   std::vector<std::uint64_t> seeds = {1, 2, 3, 4, 5, 6};
   double duration = 1e6;      ///< of each drive at most [s]
   double survey_noise = 0.0;  ///< of the map [m]
+  std::string map;            ///< YAML file in place of the surveyed reflectors; empty: none
   int kidnaps = 0;            ///< 0: drives without any
   OdometryNoise odometry;
   bool perfect_calibration = false;

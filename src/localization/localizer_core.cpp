@@ -16,6 +16,15 @@ constexpr double kLongestSlip = 0.5;  // without any scan that agrees [s]
 
 constexpr double kReachSlack = 0.05, kReachTurnSlack = 0.02;  // of what was measured [m], [rad]
 
+// The reflectors, or all where there are none.
+LandmarkMap telling_part_of(const LandmarkMap& map) {
+  LandmarkMap result;
+  for (const MapLandmark& landmark : map.landmarks) {
+    if (landmark.kind == LandmarkKind::kReflector) result.landmarks.push_back(landmark);
+  }
+  return result.landmarks.empty() ? map : result;
+}
+
 bool is_usable(const PoseEstimate& motion) {
   return motion.pose.translation().allFinite() && std::isfinite(motion.pose.theta()) &&
          is_positive_semidefinite<3>(motion.covariance);
@@ -68,12 +77,16 @@ std::vector<LandmarkObservation> observations_of(const ScanLandmarks& landmarks)
 Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
     : params_(validated(params)),
       index_(landmark_index(map)),
+      telling_map_(telling_part_of(map)),
+      telling_index_(landmark_index(telling_map_)),
       filter_params_{params_.base_T_laser, params_.association},
       detector_(params_, map),
       evidence_(params_.monitor.evidence, filter_params_, map, index_,
                 params_.association.gate_probability),
+      telling_evidence_(params_.monitor.evidence, filter_params_, telling_map_, telling_index_,
+                        params_.association.gate_probability),
       monitor_(params_.monitor),
-      hypotheses_(params_, index_, evidence_),
+      hypotheses_(params_, telling_index_, telling_evidence_),
       track_(from_seconds(2.0 * params_.history.span + 1.0)),
       scene_(params_.base_T_laser) {
   forget_pose(params_.search_alone);
@@ -212,7 +225,7 @@ void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSi
   if (history_) {
     track_scan(landmarks, observations, sight);
   } else if (searching_) {
-    search_scan(landmarks, observations, sight);
+    search_scan(landmarks, observations_of(telling(landmarks)), sight);
   } else {
     report_seen(observations, nullptr);
   }
@@ -221,34 +234,47 @@ void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSi
 
 // A scan that the pose does not explain, but one does that the vehicle can have got to: then the
 // odometry told too little. The pose may move that far.
-bool Localizer::Impl::let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
+bool Localizer::Impl::let_it_slip(const ScanLandmarks& all, const PoseEstimate& prior,
                                   Observations& observations) {
+  const ScanLandmarks landmarks = telling(all);
+  Observations blurred = observations_of(landmarks);
   const std::size_t fitting =
-      associate(prior, params_.base_T_laser, *index_, observations, params_.association)
+      associate(prior, params_.base_T_laser, *telling_index_, blurred, params_.association)
           .pairs.size();
-  if (fitting >= 3 || (fitting > 0 && 2 * fitting >= observations.size())) {
+  if (fitting >= 3 || (fitting > 0 && 2 * fitting >= blurred.size())) {
     fitted_ = landmarks.instant;
     return false;
   }
-  if (observations.size() < 3) return false;
+  if (blurred.size() < 3) return false;
   const double time = std::clamp(to_seconds(landmarks.instant - fitted_), 0.05, kLongestSlip);
   PoseEstimate wider = prior;
   wider.covariance += pose_covariance(params_.max_speed * time, params_.max_turn_rate * time);
-  Observations blurred = observations;
   for (std::size_t i = 0; i < blurred.size(); ++i) {
     const double way = params_.max_speed * to_seconds(landmarks.seen[i].moved);
     if (blurred[i].model != ObservationModel::kCartesian) continue;
     blurred[i].covariance += way * way * Eigen::Matrix2d::Identity();
   }
   const std::vector<LandmarkPair> pairs =
-      associate(wider, params_.base_T_laser, *index_, blurred, params_.association).pairs;
-  if (pairs.size() < 3 || 10 * pairs.size() < 6 * observations.size()) return false;
+      associate(wider, params_.base_T_laser, *telling_index_, blurred, params_.association).pairs;
+  if (pairs.size() < 3 || 10 * pairs.size() < 6 * blurred.size()) return false;
   if (!within_reach(prior.pose, correct(wider, pairs).map_T_base.pose, time)) return false;
   restart_at(landmarks.instant, wider);
   observations = std::move(blurred);
   monitor_.odometry_disagreed(landmarks.instant);
   fitted_ = landmarks.instant;
   return true;
+}
+
+// Those that decide where the vehicle is: corners only where the map has nothing else.
+ScanLandmarks Localizer::Impl::telling(const ScanLandmarks& landmarks) const {
+  ScanLandmarks result = landmarks;
+  if (evidence_.corners_tell()) return result;
+  const auto is_corner = [](const TimedObservation& seen) {
+    return seen.observation.kind != LandmarkKind::kReflector;
+  };
+  result.seen.erase(std::remove_if(result.seen.begin(), result.seen.end(), is_corner),
+                    result.seen.end());
+  return result;
 }
 
 bool Localizer::Impl::within_reach(const Pose2& from, const Pose2& to, double time) const {

@@ -41,8 +41,8 @@ class Localizer::Impl {
   void restart_at(Time stamp, const PoseEstimate& map_T_base);
   LandmarkFilterParams landmark_params() const;
   PoseEstimate prior_at(Time instant) const;
-  bool let_it_slip(const ScanLandmarks& landmarks, const PoseEstimate& prior,
-                   Observations& observations);
+  ScanLandmarks telling(const ScanLandmarks& landmarks) const;
+  bool let_it_slip(const ScanLandmarks& all, const PoseEstimate& prior, Observations& observations);
   bool within_reach(const Pose2& from, const Pose2& to, double time) const;
   void track_scan(const ScanLandmarks& landmarks, Observations observations,
                   const ScanSight* sight);
@@ -52,9 +52,11 @@ class Localizer::Impl {
   void judge();
 
   std::shared_ptr<const LandmarkIndex> index_;
+  LandmarkMap telling_map_;  // what decides where the vehicle is
+  std::shared_ptr<const LandmarkIndex> telling_index_;
   PoseFilterParams filter_params_;
   LandmarkDetector detector_;
-  PoseEvidence evidence_;
+  PoseEvidence evidence_, telling_evidence_;
   PoseMonitor monitor_;
   PoseHypotheses hypotheses_;
   OdometryTrack track_;

@@ -45,6 +45,7 @@ PoseEvidence::PoseEvidence(const PoseEvidenceParams& params, const PoseFilterPar
   for (const Landmark& landmark : index_->landmarks()) {
     const MapLandmark* origin = map.find(static_cast<int>(landmark.id));
     expected_kind_.push_back(origin == nullptr || origin->kind == LandmarkKind::kReflector);
+    if (expected_kind_.back()) corners_tell_ = false;
   }
 }
 
@@ -93,14 +94,17 @@ ScanEvidence PoseEvidence::judge(const PoseEstimate& prior,
   agreement.nis = update.nis;
   agreement.degrees_of_freedom = update.degrees_of_freedom;
   const std::vector<ObservationVerdict>& verdicts = update.association.verdicts;
+  const auto tells = [&](std::size_t i) {
+    return corners_tell_ || observations[i].kind == LandmarkKind::kReflector;
+  };
   double mean_chance = kLeastChance;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const double chance = chance_of(prior, observations[i]);
     mean_chance = std::max(mean_chance, chance);
     if (verdicts[i] == ObservationVerdict::kUsed) {
       ++agreement.used;
-      result.log_odds += std::log(params_.mapped / chance);
-    } else if (fits_nothing(verdicts[i])) {
+      if (tells(i)) result.log_odds += std::log(params_.mapped / chance);
+    } else if (fits_nothing(verdicts[i]) && tells(i)) {
       ++agreement.strangers;
       result.log_odds += std::min(0.0, std::log((1.0 - params_.mapped) / (1.0 - chance)));
     }

@@ -31,7 +31,8 @@ struct ScanEvidence {
 ///
 /// p_c is taken to be 0.02 at least: maps are regular, and errors of one scan come again in the
 /// next. Not more landmarks count as missed than there are observations: a scanner that sees none
-/// at all is as blind elsewhere.
+/// at all is as blind elsewhere. Where the map has reflectors, corners tell nothing: they come
+/// at even distances, and maps hold few of them.
 class PoseEvidence {
  public:
   PoseEvidence(const PoseEvidenceParams& params, const PoseFilterParams& filter,
@@ -43,6 +44,9 @@ class PoseEvidence {
                      const std::vector<LandmarkObservation>& observations, const PoseUpdate& update,
                      const ScanSight* sight) const;
 
+  /// The map has no reflectors.
+  bool corners_tell() const { return corners_tell_; }
+
  private:
   double chance_of(const PoseEstimate& prior, const LandmarkObservation& observation) const;
   void count_expected(const PoseEstimate& pose, const PoseUpdate& update, const ScanSight& sight,
@@ -51,6 +55,7 @@ class PoseEvidence {
   PoseEvidenceParams params_;
   Pose2 base_T_laser_;
   std::shared_ptr<const LandmarkIndex> index_;
+  bool corners_tell_ = true;
   std::vector<bool> expected_kind_;  // of each landmark: found wherever it is in sight
   double gate_;
   double density_;  // landmarks per square metre
