@@ -122,8 +122,6 @@ void add_simulated(CLI::App* verb, EvaluateLocalizationOptions& options) {
   verb->add_flag("--paths", simulated.paths,
                  "the named paths of the drive, reflectors hidden: with landmarks in the state, "
                  "with Algorithm 1, with odometry");
-  verb->add_option("--map", simulated.map, "with --paths: on the corners of this map, too")
-      ->check(CLI::ExistingFile);
   verb->add_option("--scatter", simulated.variation.scatter,
                    "the world's things are scattered so many times as much")
       ->check(number_in(0.0, 100.0));

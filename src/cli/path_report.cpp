@@ -39,10 +39,11 @@ Runs run_all(const Options& options, const Scenario& scenario) {
       throw std::runtime_error(options.scenario +
                                ": no step of its drive has a name: there are no paths");
     }
-    const LandmarkMap reflectors = map_of(options, scenario.world, seed);
+    Options surveyed = options;
+    surveyed.map.clear();
     for (const PathMethod method : methods_of(options)) {
-      const LandmarkMap map =
-          method == PathMethod::kMap ? read_landmark_map(options.map) : reflectors;
+      const Options& wanted = method == PathMethod::kMap ? options : surveyed;
+      const LandmarkMap map = map_of(wanted, scenario.world, seed);
       for (PathRun& run : evaluate_paths(drive, method, params, map)) {
         runs[run.path][method].push_back(std::move(run));
       }

@@ -25,7 +25,6 @@ struct SimulatedLocalizationOptions {
   bool perfect_calibration = false;
   bool paths = false;        ///< the named paths of the drive instead of all of it
   WorldVariation variation;  ///< of the scenario
-  std::string map;           ///< landmark map with corners, for paths on it; empty: none
   std::string parameters;    ///< YAML file with groups of visit_localizer_fields(); empty: none
   std::string json;          ///< empty: none
   LocalizerParams localizer;

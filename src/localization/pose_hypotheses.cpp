@@ -49,7 +49,8 @@ void PoseHypotheses::remember(const std::vector<LandmarkObservation>& observatio
   std::vector<Sighting> seen;
   for (const LandmarkObservation& observation : observations) {
     if (observation.model != ObservationModel::kCartesian || !is_usable(observation)) continue;
-    seen.push_back({transform(base_T_laser, {observation.value, observation.covariance}), 0});
+    seen.push_back({transform(base_T_laser, {observation.value, observation.covariance}),
+                    observation.kind, 0});
   }
   const auto goes = [&](const Sighting& old) {
     return old.age > params_.memory || std::any_of(seen.begin(), seen.end(), [&](const auto& now) {
@@ -109,7 +110,8 @@ void PoseHypotheses::add_scan(const std::vector<LandmarkObservation>& observatio
   for (const Sighting& sighting : sightings_) {
     if (sighting.age == 0) continue;
     const PointEstimate in_laser = transform(laser_T_base, sighting.in_base);
-    all.push_back({ObservationModel::kCartesian, in_laser.point, in_laser.covariance, {}});
+    all.push_back(
+        {ObservationModel::kCartesian, in_laser.point, in_laser.covariance, {}, sighting.kind});
   }
   add_new(all, sight);
   sort_and_drop();

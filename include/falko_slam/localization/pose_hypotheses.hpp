@@ -52,6 +52,7 @@ class PoseHypotheses {
   // A landmark that was seen, and how many scans ago.
   struct Sighting {
     PointEstimate in_base;
+    LandmarkKind kind = LandmarkKind::kReflector;
     int age = 0;
   };
 
