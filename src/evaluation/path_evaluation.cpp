@@ -3,6 +3,7 @@
 #include "falko_slam/evaluation/path_evaluation.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -88,11 +89,21 @@ class ExternalMapLocalizer : public PathLocalizer {
   Time reached_;
 };
 
+LandmarkMap corners_of(LandmarkMap map) {
+  const auto is_reflector = [](const MapLandmark& landmark) {
+    return landmark.kind == LandmarkKind::kReflector;
+  };
+  auto& all = map.landmarks;
+  all.erase(std::remove_if(all.begin(), all.end(), is_reflector), all.end());
+  return map;
+}
+
 std::unique_ptr<PathLocalizer> localizer_of(PathMethod method, LocalizerParams params,
                                             const LandmarkMap& map, const StampedPose& start) {
   params.features.unmapped = method != PathMethod::kMap;
-  if (method == PathMethod::kState || method == PathMethod::kMap) {
-    return std::make_unique<WholeLocalizer>(params, map, start);
+  if (method == PathMethod::kState) return std::make_unique<WholeLocalizer>(params, map, start);
+  if (method == PathMethod::kMap) {
+    return std::make_unique<WholeLocalizer>(params, corners_of(map), start);
   }
   const bool corners = method == PathMethod::kExternalMap;
   return std::make_unique<ExternalMapLocalizer>(params, map, start, corners);

@@ -13,7 +13,7 @@ namespace falko_slam {
 /// What carries the pose where reflectors are hidden.
 enum class PathMethod {
   kState,        ///< Localizer with corners and faces in its state
-  kMap,          ///< Localizer with the corners of its map
+  kMap,          ///< Localizer with the corners of its map, without any reflectors
   kExternalMap,  ///< ExternalMapFilter, \cite kallasi2017 Algorithm 1
   kOdometry,     ///< nothing
 };
