@@ -13,7 +13,7 @@ namespace {
 std::vector<Pose2> copies_of(const std::string& text, std::uint64_t seed = 1,
                              std::uint64_t number = 0) {
   const YamlFields fields = YamlFields::of_text(text, "w.yaml");
-  std::vector<Pose2> copies = read_copies(fields, {1.0, 2.0, 0.5}, seed, number);
+  std::vector<Pose2> copies = read_copies(fields, {1.0, 2.0, 0.5}, 1.0, seed, number);
   fields.refuse_unknown();
   return copies;
 }
