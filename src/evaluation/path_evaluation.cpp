@@ -100,7 +100,7 @@ LandmarkMap corners_of(LandmarkMap map) {
 
 std::unique_ptr<PathLocalizer> localizer_of(PathMethod method, LocalizerParams params,
                                             const LandmarkMap& map, const StampedPose& start) {
-  params.features.unmapped = method != PathMethod::kMap;
+  if (method != PathMethod::kMap) params.features.unmapped = true;
   if (method == PathMethod::kState) return std::make_unique<WholeLocalizer>(params, map, start);
   if (method == PathMethod::kMap) {
     return std::make_unique<WholeLocalizer>(params, corners_of(map), start);
@@ -169,7 +169,7 @@ const char* name_of(PathMethod method) {
     case PathMethod::kState:
       return "landmarks in the state";
     case PathMethod::kMap:
-      return "corners of the map";
+      return "map of corners";
     case PathMethod::kExternalMap:
       return "Algorithm 1";
     case PathMethod::kOdometry:

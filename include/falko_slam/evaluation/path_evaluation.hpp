@@ -12,8 +12,10 @@ namespace falko_slam {
 
 /// What carries the pose where reflectors are hidden.
 enum class PathMethod {
-  kState,        ///< Localizer with corners and faces in its state
-  kMap,          ///< Localizer with the corners of its map, without any reflectors
+  kState,  ///< Localizer with corners and faces in its state
+  /// Localizer with the corners of its map, without any reflectors; with landmarks in its state
+  /// beside them if the parameters say so.
+  kMap,
   kExternalMap,  ///< ExternalMapFilter, \cite kallasi2017 Algorithm 1
   kOdometry,     ///< nothing
 };
