@@ -81,9 +81,13 @@ TEST(FaceDetector, TellsApartWhatIsNearlyInLine) {
   std::mt19937_64 random = test::seeded_random();
   const LaserScan scan =
       scan_of({{{1.5, 1.35}, {2.3, 1.35}}, {{2.3, 1.37}, {3.1, 1.37}}}, 0.008, random);
-  const auto faces = detect_faces(scan, {});
+  FaceDetectorParams params;
+  params.straightness = 0.003;
+  const auto faces = detect_faces(scan, params);
   ASSERT_EQ(faces.size(), 2U);
   EXPECT_NEAR(std::abs(faces[0].line.offset - faces[1].line.offset), 0.02, 0.006);
+  params.straightness = 0.02;  // what bends by as much may as well be one
+  EXPECT_EQ(detect_faces(scan, params).size(), 1U);
 }
 
 TEST(FaceDetector, LeavesAStraightWallWhole) {

@@ -150,7 +150,7 @@ TEST(LandmarkFilter, TakesAReflectorForNoCorner) {
 }
 
 TEST(LandmarkFilter, AsksTheMapForIds) {
-  const auto map = map_of({{7, {5.0, 1.0}, kNoise}, {8, {5.0, 1.05}, kNoise}});
+  const auto map = map_of({{7, {5.0, 1.0}, kNoise}, {8, {5.0, 1.02}, kNoise}});
   LandmarkFilterParams params;
   params.base_T_laser = kLaser;
   LandmarkFilter filter(params, kStart, map);
@@ -322,6 +322,7 @@ TEST(LandmarkFilter, IsConsistentInACorridorAndBetterThanOdometry) {
   LandmarkFilterParams params;
   params.association.gate_probability = params.association.joint_probability = 0.999999;
   params.hits = 2;
+  params.point_wander = params.face_wander = params.face_turn_wander = 0.0;  // nothing wanders here
   constexpr int kRuns = 50;
   DriveTally sum;
   for (int i = 0; i < kRuns; ++i) {
