@@ -85,7 +85,7 @@ TEST(FaceDetector, TellsApartWhatIsNearlyInLine) {
   params.straightness = 0.003;
   const auto faces = detect_faces(scan, params);
   ASSERT_EQ(faces.size(), 2U);
-  EXPECT_NEAR(std::abs(faces[0].line.offset - faces[1].line.offset), 0.02, 0.006);
+  EXPECT_NEAR(std::abs(faces[0].middle.y() - faces[1].middle.y()), 0.02, 0.006);
   params.straightness = 0.02;  // what bends by as much may as well be one
   EXPECT_EQ(detect_faces(scan, params).size(), 1U);
 }
