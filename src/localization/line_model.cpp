@@ -27,6 +27,15 @@ bool is_usable(const LineObservation& observation) {
          observation.half_length > 0.0 && is_positive_definite(observation.covariance);
 }
 
+Eigen::Vector2d direction_of(const MapLine& line) {
+  return {std::sin(line.angle), -std::cos(line.angle)};
+}
+
+Eigen::Vector2d nearest_point(const MapLine& line, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d normal(std::cos(line.angle), std::sin(line.angle));
+  return to + (line.offset - normal.dot(to - line.anchor)) * normal;
+}
+
 LinePrediction predict_line(const Pose2& map_T_base, const Pose2& base_T_laser,
                             const MapLine& line) {
   const Pose2 map_T_laser = map_T_base * base_T_laser;

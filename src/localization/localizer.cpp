@@ -45,6 +45,7 @@ const LocalizerReport& Localizer::check(Time now) {
 }
 
 const LocalizerReport& Localizer::state() const { return impl_->report_; }
+std::vector<ActiveLandmark> Localizer::landmarks() const { return impl_->landmarks(); }
 const LocalizerParams& Localizer::params() const { return impl_->params_; }
 
 }  // namespace falko_slam

@@ -353,6 +353,11 @@ void Localizer::Impl::check(Time now) {
   judge();
 }
 
+std::vector<ActiveLandmark> Localizer::Impl::landmarks() const {
+  if (!history_) return {};
+  return history_->filter().landmarks();
+}
+
 void Localizer::Impl::judge() {
   report_.hypotheses = hypotheses_.places().size();
   report_.map_T_base.reset();

@@ -26,6 +26,7 @@ class Localizer::Impl {
   void set_pose(Time stamp, const std::optional<PoseEstimate>& map_T_base);
   void forget_pose(bool search);
   void check(Time now);
+  std::vector<ActiveLandmark> landmarks() const;
 
   LocalizerParams params_;
   LocalizerReport report_;

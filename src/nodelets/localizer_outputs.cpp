@@ -34,12 +34,12 @@ void LocalizerNodelet::publish_sight() {
   const LocalizerReport& state = localizer_->state();
   if (state.map_T_base) {
     pose_.publish(pose_message(*state.map_T_base, state.stamp, params_.map_frame));
-    landmarks_.publish(landmarks_in_use(state, map_, params_.map_frame));
+    landmarks_.publish(landmarks_in_use(state, map_, localizer_->landmarks(), params_.map_frame));
   }
   publish_status();
   if (markers_.getNumSubscribers() == 0) return;
-  markers_.publish(
-      localizer_markers(state, map_, params_.localizer.base_T_laser, params_.map_frame));
+  markers_.publish(localizer_markers(state, map_, localizer_->landmarks(),
+                                     params_.localizer.base_T_laser, params_.map_frame));
 }
 
 void LocalizerNodelet::publish_status() {

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "falko_slam/localization/line_model.hpp"
 #include "falko_slam/ros_bridge/laser_pose.hpp"
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 
@@ -72,17 +73,50 @@ std::uint8_t code_of(LocalizationReason reason) {
   return LocalizerStatus::NONE;
 }
 
+std::uint8_t kind_of(LandmarkKind kind) {
+  return kind == LandmarkKind::kReflector ? LandmarkEstimate::REFLECTOR : LandmarkEstimate::FEATURE;
+}
+
+void place(LandmarkEstimate& message, const Eigen::Vector2d& position,
+           const Eigen::Matrix2d& covariance) {
+  message.position.x = position.x();
+  message.position.y = position.y();
+  message.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+}
+
 LandmarkEstimate to_message(const MapLandmark& landmark) {
   LandmarkEstimate message;
-  message.kind = landmark.kind == LandmarkKind::kReflector ? LandmarkEstimate::REFLECTOR
-                                                           : LandmarkEstimate::FEATURE;
+  message.kind = kind_of(landmark.kind);
   message.source = LandmarkEstimate::MAP;
   message.id = static_cast<std::uint64_t>(landmark.id);
   message.name = landmark.name;
-  message.position.x = landmark.position.x();
-  message.position.y = landmark.position.y();
-  message.covariance = {landmark.covariance(0, 0), landmark.covariance(0, 1),
-                        landmark.covariance(1, 1)};
+  place(message, landmark.position, landmark.covariance);
+  return message;
+}
+
+// With s the way along the face from the foot of its anchor to its middle, its place across is
+// offset + s angle there: a turn to the left leads it to the left.
+void place_face(LandmarkEstimate& message, const ActiveLandmark& face) {
+  const Eigen::Vector2d along = direction_of(face.line);
+  const Eigen::Vector2d middle = nearest_point(face.line, face.middle);
+  Eigen::Matrix2d J = Eigen::Matrix2d::Identity();
+  J(1, 0) = along.dot(middle - face.line.anchor);
+  place(message, middle, J * face.covariance * J.transpose());
+  message.kind = LandmarkEstimate::FACE;
+  message.direction = std::atan2(along.y(), along.x());
+  message.half_length = face.half_length;
+}
+
+LandmarkEstimate to_message(const ActiveLandmark& landmark) {
+  LandmarkEstimate message;
+  message.source = LandmarkEstimate::STATE;
+  message.id = landmark.number;
+  if (landmark.is_line) {
+    place_face(message, landmark);
+  } else {
+    message.kind = kind_of(landmark.kind);
+    place(message, landmark.middle, landmark.covariance);
+  }
   return message;
 }
 
@@ -126,6 +160,7 @@ LocalizerStatus to_message(const LocalizerReport& report, const std::string& map
   }
   message.observed = static_cast<std::uint32_t>(report.seen.size());
   message.used = static_cast<std::uint32_t>(report.agreement.used);
+  message.used_of_state = static_cast<std::uint32_t>(report.agreement.in_state);
   message.strangers = static_cast<std::uint32_t>(report.agreement.strangers);
   message.expected = static_cast<std::uint32_t>(report.agreement.expected);
   message.missed = static_cast<std::uint32_t>(report.agreement.missed);
@@ -137,6 +172,7 @@ LocalizerStatus to_message(const LocalizerReport& report, const std::string& map
 }
 
 LandmarkArray landmarks_in_use(const LocalizerReport& report, const LandmarkMap& map,
+                               const std::vector<ActiveLandmark>& in_state,
                                const std::string& map_frame) {
   LandmarkArray message;
   message.header = header_of(report.seen_at, map_frame);
@@ -149,6 +185,7 @@ LandmarkArray landmarks_in_use(const LocalizerReport& report, const LandmarkMap&
       message.landmarks.push_back(to_message(landmark));
     }
   }
+  for (const ActiveLandmark& landmark : in_state) message.landmarks.push_back(to_message(landmark));
   return message;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "falko_slam/localization/line_model.hpp"
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 
 namespace falko_slam {
@@ -22,6 +23,8 @@ struct Look {
 
 constexpr Look kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
 constexpr Look kFeatures{"features", 0.3F, 0.6F, 1.0F, 1.0F, 0.20};
+constexpr Look kStatePoints{"state_points", 0.1F, 0.9F, 0.9F, 1.0F, 0.20};
+constexpr Look kStateFaces{"state_faces", 0.1F, 0.9F, 0.9F, 1.0F, 0.10};
 constexpr Look kUsed{"used", 0.0F, 0.9F, 0.3F, 0.8F, 0.04};
 constexpr Look kStrangers{"strangers", 0.9F, 0.2F, 0.1F, 0.7F, 0.04};
 constexpr Look kPose{"pose", 0.0F, 0.9F, 0.3F, 1.0F, 0.12};
@@ -63,6 +66,24 @@ void add_map(const LandmarkMap& map, const std_msgs::Header& header, MarkerArray
   }
   append(std::move(reflectors), markers);
   append(std::move(features), markers);
+}
+
+void add_state(const std::vector<ActiveLandmark>& in_state, const std_msgs::Header& header,
+               MarkerArray& markers) {
+  Marker points = marker_of(kStatePoints, Marker::CUBE_LIST, header);
+  Marker faces = marker_of(kStateFaces, Marker::LINE_LIST, header);
+  for (const ActiveLandmark& landmark : in_state) {
+    if (!landmark.is_line) {
+      add_point(points, landmark.middle);
+      continue;
+    }
+    const Eigen::Vector2d middle = nearest_point(landmark.line, landmark.middle);
+    const Eigen::Vector2d half = landmark.half_length * direction_of(landmark.line);
+    add_point(faces, middle - half);
+    add_point(faces, middle + half);
+  }
+  append(std::move(points), markers);
+  append(std::move(faces), markers);
 }
 
 bool is_stranger(ObservationVerdict verdict) {
@@ -116,6 +137,7 @@ void add_pose(const LocalizerReport& report, const std_msgs::Header& header, Mar
 }  // namespace
 
 MarkerArray localizer_markers(const LocalizerReport& report, const LandmarkMap& map,
+                              const std::vector<ActiveLandmark>& in_state,
                               const Pose2& base_T_laser, const std::string& map_frame) {
   const std_msgs::Header header = header_of(report.stamp, map_frame);
   MarkerArray markers;
@@ -123,6 +145,7 @@ MarkerArray localizer_markers(const LocalizerReport& report, const LandmarkMap& 
   const bool placed = report.map_T_base.has_value();
   add_sight(placed ? report : LocalizerReport(),
             placed ? report.map_T_base->pose * base_T_laser : Pose2(), header, markers);
+  add_state(in_state, header, markers);
   add_pose(report, header, markers);
   return markers;
 }

@@ -70,6 +70,22 @@ TEST(LineModel, ALineOfTheMapIsSeenAsItWas) {
   }
 }
 
+TEST(LineModel, HasItsNormalLeftOfItsDirection) {
+  const MapLine line{0.3, 2.0, {5.0, -1.0}};
+  const Eigen::Vector2d along = direction_of(line), normal(std::cos(0.3), std::sin(0.3));
+
+  EXPECT_NEAR(along.x() * normal.y() - along.y() * normal.x(), 1.0, 1e-12);
+}
+
+TEST(LineModel, IsNearestToAPointAtARightAngle) {
+  const MapLine line{0.3, 2.0, {5.0, -1.0}};
+  const Eigen::Vector2d point(-3.0, 8.0), normal(std::cos(0.3), std::sin(0.3));
+  const Eigen::Vector2d nearest = nearest_point(line, point);
+
+  EXPECT_NEAR(normal.dot(nearest - line.anchor), line.offset, 1e-12);
+  EXPECT_NEAR(direction_of(line).dot(nearest - point), 0.0, 1e-12);
+}
+
 // The anchor stays where the laser was believed to be, whatever the pose truly was.
 TEST(BornLandmark, HangsOnThePoseAsNumericDifferentiationSays) {
   std::mt19937_64 random = test::seeded_random();

@@ -105,6 +105,20 @@ TEST(Localizer, IsDegradedWhileAllReflectorsAreCovered) {
   EXPECT_LT(drive.error(localizer.state()), 0.02);
 }
 
+TEST(Localizer, ShowsTheLandmarksOfItsStateWhileThereIsAPose) {
+  const LocalizerDrive& drive = LocalizerDrive::shared();
+  Localizer localizer = drive.localizer_at_start();
+  EXPECT_TRUE(localizer.landmarks().empty());
+
+  drive.play(localizer, 0.0, 6.0);
+  const std::vector<ActiveLandmark> landmarks = localizer.landmarks();
+  EXPECT_GT(landmarks.size(), 5U);
+  EXPECT_LE(landmarks.size(), static_cast<std::size_t>(localizer.params().landmarks.max_landmarks));
+
+  localizer.globalize();
+  EXPECT_TRUE(localizer.landmarks().empty());
+}
+
 TEST(Localizer, IsDegradedWithoutScansAndOkAfter) {
   const LocalizerDrive& drive = LocalizerDrive::shared();
   Localizer localizer = drive.localizer_at_start();

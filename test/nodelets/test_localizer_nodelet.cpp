@@ -14,6 +14,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "falko_slam/geometry/angles.hpp"
@@ -133,7 +134,10 @@ TEST_F(LocalizerNode, StaysAtTheTruthOnTheWay) {
     expect_at_truth(0.06, 0.01);
   }
   ASSERT_TRUE(client_->landmarks);
-  EXPECT_GE(client_->landmarks->landmarks.size(), 2U);
+  std::map<int, int> by_source;
+  for (const auto& landmark : client_->landmarks->landmarks) ++by_source[landmark.source];
+  EXPECT_GE(by_source[LandmarkEstimate::MAP], 2);
+  EXPECT_GT(by_source[LandmarkEstimate::STATE], 0);
   EXPECT_EQ(client_->landmarks->header.frame_id, "map");
   EXPECT_GT(client_->status->along_deviation, 0.0);
 }

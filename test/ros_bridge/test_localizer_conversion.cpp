@@ -23,6 +23,7 @@ LocalizerReport a_report() {
   report.seen[2].id = 7;
   report.agreement.used = 2;
   report.agreement.strangers = 1;
+  report.agreement.in_state = 9;
   return report;
 }
 
@@ -40,6 +41,7 @@ TEST(LocalizerStatusMessage, SaysWhatAndWhyAndHowSure) {
   EXPECT_EQ(message.observed, 3U);
   EXPECT_EQ(message.used, 2U);
   EXPECT_EQ(message.strangers, 1U);
+  EXPECT_EQ(message.used_of_state, 9U);
 }
 
 TEST(LocalizerStatusMessage, HasNoDeviationsWithoutAPose) {
@@ -58,7 +60,7 @@ TEST(LandmarksInUse, AreEachTheMapsOwnOnce) {
   map.landmarks[1].position = {1.0, 2.0};
   map.landmarks[1].covariance << 3.0, 1.0, 1.0, 2.0;
 
-  const LandmarkArray message = landmarks_in_use(a_report(), map, "map");
+  const LandmarkArray message = landmarks_in_use(a_report(), map, {}, "map");
 
   ASSERT_EQ(message.landmarks.size(), 1U);
   const LandmarkEstimate& landmark = message.landmarks[0];
@@ -70,8 +72,73 @@ TEST(LandmarksInUse, AreEachTheMapsOwnOnce) {
   EXPECT_EQ(landmark.covariance[2], 2.0);
 }
 
+TEST(LandmarksInUse, HaveThePointsOfTheState) {
+  ActiveLandmark corner;
+  corner.number = 12;
+  corner.middle = {4.0, -1.0};
+  corner.covariance << 3.0, 1.0, 1.0, 2.0;
+
+  const LandmarkArray message = landmarks_in_use(LocalizerReport(), LandmarkMap(), {corner}, "map");
+
+  ASSERT_EQ(message.landmarks.size(), 1U);
+  const LandmarkEstimate& landmark = message.landmarks[0];
+  EXPECT_EQ(landmark.id, 12U);
+  EXPECT_EQ(landmark.kind, LandmarkEstimate::FEATURE);
+  EXPECT_EQ(landmark.source, LandmarkEstimate::STATE);
+  EXPECT_EQ(landmark.position.x, 4.0);
+  EXPECT_EQ(landmark.covariance[2], 2.0);
+  EXPECT_EQ(landmark.half_length, 0.0);
+}
+
+// A wall at x = 3, seen from the origin, of which the stretch about y = 4 was seen.
+ActiveLandmark a_face() {
+  ActiveLandmark face;
+  face.is_line = true;
+  face.line = {0.0, 3.0, Eigen::Vector2d::Zero()};
+  face.middle = {3.1, 4.0};
+  face.half_length = 0.8;
+  return face;
+}
+
+TEST(LandmarksInUse, HaveTheFacesOfTheStateAsTheyWereSeen) {
+  const LandmarkArray message =
+      landmarks_in_use(LocalizerReport(), LandmarkMap(), {a_face()}, "map");
+
+  ASSERT_EQ(message.landmarks.size(), 1U);
+  const LandmarkEstimate& landmark = message.landmarks[0];
+  EXPECT_EQ(landmark.kind, LandmarkEstimate::FACE);
+  EXPECT_EQ(landmark.source, LandmarkEstimate::STATE);
+  EXPECT_NEAR(landmark.position.x, 3.0, 1e-12);  // on the line
+  EXPECT_NEAR(landmark.position.y, 4.0, 1e-12);
+  EXPECT_NEAR(landmark.direction, -0.5 * M_PI, 1e-12);  // the laser is to the right
+  EXPECT_EQ(landmark.half_length, 0.8);
+}
+
+// By how much the place across it changes with (angle, offset), by numeric differentiation.
+TEST(LandmarksInUse, HaveTheCovarianceOfFacesAtTheirMiddle) {
+  ActiveLandmark face = a_face();
+  face.covariance << 4e-6, 1e-6, 1e-6, 9e-6;
+  const auto across = [&](double angle, double offset) {
+    const MapLine moved{face.line.angle + angle, face.line.offset + offset, face.line.anchor};
+    const double way = (4.0 - nearest_point(moved, {3.0, 4.0}).y()) / direction_of(moved).y();
+    return (nearest_point(moved, {3.0, 4.0}) + way * direction_of(moved)).x();
+  };
+  constexpr double kStep = 1e-6;
+  Eigen::Matrix2d slope = Eigen::Matrix2d::Identity();
+  slope(1, 0) = (across(kStep, 0.0) - across(-kStep, 0.0)) / (2.0 * kStep);
+  slope(1, 1) = (across(0.0, kStep) - across(0.0, -kStep)) / (2.0 * kStep);
+  const Eigen::Matrix2d expected = slope * face.covariance * slope.transpose();
+
+  const auto message = landmarks_in_use(LocalizerReport(), LandmarkMap(), {face}, "map");
+
+  ASSERT_EQ(message.landmarks.size(), 1U);
+  EXPECT_NEAR(message.landmarks[0].covariance[0], expected(0, 0), 1e-10);
+  EXPECT_NEAR(message.landmarks[0].covariance[1], expected(0, 1), 1e-10);
+  EXPECT_NEAR(message.landmarks[0].covariance[2], expected(1, 1), 1e-10);
+}
+
 TEST(PosesSaid, ComeBackAsTheyWent) {
-  const PoseEstimate& pose = *a_report().map_T_base;
+  const PoseEstimate pose = *a_report().map_T_base;
   const PoseEstimate back = from_message(pose_message(pose, Time(), "map"), "map", {});
   EXPECT_NEAR((back.pose.inverse() * pose.pose).translation().norm(), 0.0, 1e-12);
   EXPECT_NEAR(back.pose.theta(), pose.pose.theta(), 1e-12);

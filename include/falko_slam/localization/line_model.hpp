@@ -32,6 +32,11 @@ struct MapLine {
   Eigen::Vector2d anchor = Eigen::Vector2d::Zero();
 };
 
+/// Along the line, its normal to the left; a unit vector.
+Eigen::Vector2d direction_of(const MapLine& line);
+
+Eigen::Vector2d nearest_point(const MapLine& line, const Eigen::Vector2d& to);
+
 /// What a line observation should be and how it changes, (angle, offset) row by row.
 struct LinePrediction {
   Eigen::Vector2d value;                     ///< the angle in [-pi, pi)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "falko_slam/localization/landmark_filter.hpp"
 #include "falko_slam/localization/landmark_map.hpp"
 #include "falko_slam/localization/localizer_params.hpp"
 #include "falko_slam/localization/localizer_report.hpp"
@@ -52,6 +53,8 @@ class Localizer {
   const LocalizerReport& check(Time now);
 
   const LocalizerReport& state() const;
+  /// Those that no map holds and the filter keeps beside the pose; none without a pose.
+  std::vector<ActiveLandmark> landmarks() const;
   const LocalizerParams& params() const;
 
  private:

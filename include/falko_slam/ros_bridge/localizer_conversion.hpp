@@ -12,6 +12,7 @@
 
 #include "falko_slam/features/reflector_detector.hpp"
 #include "falko_slam/localization/landmark.hpp"
+#include "falko_slam/localization/landmark_filter.hpp"
 #include "falko_slam/localization/landmark_map.hpp"
 #include "falko_slam/localization/localizer_report.hpp"
 #include "falko_slam/ros_bridge/localizer_node_params.hpp"
@@ -21,8 +22,9 @@ namespace falko_slam {
 
 LocalizerStatus to_message(const LocalizerReport& report, const std::string& map_frame);
 
-/// The landmarks of the map that the last scan was matched with, each once.
+/// The landmarks of the map that the last scan was matched with, each once, and all of the state.
 LandmarkArray landmarks_in_use(const LocalizerReport& report, const LandmarkMap& map,
+                               const std::vector<ActiveLandmark>& in_state,
                                const std::string& map_frame);
 
 geometry_msgs::PoseWithCovarianceStamped pose_message(const PoseEstimate& map_T_base, Time stamp,
