@@ -92,7 +92,9 @@ Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
       track_(from_seconds(2.0 * params_.history.span + 1.0)),
       scene_(params_.base_T_laser) {
   if (params_.recovery.corners && telling_map_.landmarks.size() < map.landmarks.size()) {
-    with_corners_.emplace(params_, index_, corner_evidence_);
+    LocalizerParams of_both = params_;
+    of_both.constellation.max_candidates = params_.recovery.corner_candidates;
+    with_corners_.emplace(of_both, index_, corner_evidence_);
   }
   forget_pose(params_.search_alone);
 }

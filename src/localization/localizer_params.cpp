@@ -71,6 +71,7 @@ void validate(const RecoveryParams& params) {
   require_in_range("memory", params.memory, 0, 10000);
   require_in_range("max_hypotheses", params.max_hypotheses, 1, 1000);
   require_in_range("min_share", params.min_share, 0.0, 1.0);
+  require_in_range("corner_candidates", params.corner_candidates, 10, 10000000);
 }
 
 void validate(const NaturalFeatureParams& params) {

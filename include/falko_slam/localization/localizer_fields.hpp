@@ -63,6 +63,7 @@ void visit_recovery_fields(Params& params, Visitor& visitor) {
   visitor.field("max_hypotheses", params.max_hypotheses);
   visitor.field("corners", params.corners);
   visitor.field("min_share", params.min_share);
+  visitor.field("corner_candidates", params.corner_candidates);
 }
 
 template <class Params, class Visitor>

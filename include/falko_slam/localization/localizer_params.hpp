@@ -81,6 +81,9 @@ struct RecoveryParams {
   /// pose is kDegraded until reflectors confirm it.
   bool corners = true;
   double min_share = 0.6;  ///< of all that was seen in the map, for corners to decide. [0, 1]
+  /// Places that are tried in their search, as ConstellationParams::max_candidates is among
+  /// reflectors. A corner has many more to be compared with. [10, 10000000]
+  int corner_candidates = 5000;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const RecoveryParams& params);
