@@ -15,6 +15,9 @@ constexpr double kSameDistance = 0.5, kSameTurn = 0.1;  // [m], [rad]
 
 double direction_of(const Eigen::Vector2d& vector) { return std::atan2(vector.y(), vector.x()); }
 
+// What another place must explain beside one that explains so much: one less, of many a fifth less.
+std::size_t least_of_rival(std::size_t most) { return most - std::min(most, 1 + most / 5); }
+
 // The greatest variance of a cartesian observation, or of its bearing and range at its range.
 double variance_of(const LandmarkObservation& observation) {
   Eigen::Matrix2d covariance = observation.covariance;
@@ -90,7 +93,8 @@ std::vector<PlaceCandidate> ConstellationSearch::search(
   best_.clear();
   for (const LandmarkObservation& observation : observations) {
     if (!is_usable(observation)) continue;
-    points_.push_back({point_in_laser(observation), variance_of(observation) + map_variance});
+    points_.push_back(
+        {point_in_laser(observation), variance_of(observation) + map_variance, observation.kind});
   }
   if (points_.size() < static_cast<std::size_t>(params_.min_landmarks)) return {};
   list_point_pairs();
@@ -115,6 +119,10 @@ std::vector<PlaceCandidate> ConstellationSearch::search(
 void ConstellationSearch::try_place(const PointPair& pair, std::uint32_t first,
                                     std::uint32_t second) {
   const std::vector<Landmark>& landmarks = map_->landmarks();
+  if (landmarks[first].kind != points_[pair.first].kind ||
+      landmarks[second].kind != points_[pair.second].kind) {
+    return;
+  }
   const Eigen::Vector2d& from = points_[pair.first].in_laser;
   const Eigen::Vector2d& to = points_[pair.second].in_laser;
   const Eigen::Vector2d& target_from = landmarks[first].position;
@@ -122,10 +130,9 @@ void ConstellationSearch::try_place(const PointPair& pair, std::uint32_t first,
   const Pose2 turn({0.0, 0.0}, direction_of(target_to - target_from) - direction_of(to - from));
   const Eigen::Vector2d shift = 0.5 * (target_from + target_to) - turn * (0.5 * (from + to));
   const Pose2 map_T_laser(shift, turn.theta());
-  // One less than the best so far, or it can be no rival.
   const std::size_t most = best_.empty() ? 0 : best_.front().explained;
   const std::size_t enough =
-      std::max(static_cast<std::size_t>(params_.min_landmarks), most > 1 ? most - 1 : 0);
+      std::max(static_cast<std::size_t>(params_.min_landmarks), least_of_rival(most));
   const std::size_t explained = explained_by(map_T_laser, pair, enough);
   if (explained >= enough) keep(map_T_laser, explained);
 }
@@ -144,11 +151,18 @@ std::size_t ConstellationSearch::explained_by(const Pose2& map_T_laser, const Po
     const double lever = (point.in_laser - middle).squaredNorm();
     const double radius =
         params_.gate * std::sqrt(point.variance + 0.25 * variance + lever * turn_variance);
-    map_->find_near(map_T_laser * point.in_laser, radius, near_);
     --left;
-    if (!near_.empty()) ++explained;
+    if (has_near(map_T_laser * point.in_laser, radius, point.kind)) ++explained;
   }
   return explained;
+}
+
+bool ConstellationSearch::has_near(const Eigen::Vector2d& point_in_map, double radius,
+                                   LandmarkKind kind) {
+  map_->find_near(point_in_map, radius, near_);
+  const std::vector<Landmark>& landmarks = map_->landmarks();
+  return std::any_of(near_.begin(), near_.end(),
+                     [&](std::size_t number) { return landmarks[number].kind == kind; });
 }
 
 // The best one stands first.
@@ -165,7 +179,7 @@ void ConstellationSearch::keep(const Pose2& map_T_laser, std::size_t explained) 
   best_.push_back({map_T_laser, explained});
   if (explained > best_.front().explained) std::swap(best_.front(), best_.back());
   const auto worse = [&](const PlaceCandidate& place) {
-    return place.explained + 1 < best_.front().explained;
+    return place.explained < least_of_rival(best_.front().explained);
   };
   best_.erase(std::remove_if(best_.begin(), best_.end(), worse), best_.end());
 }

@@ -85,10 +85,17 @@ Localizer::Impl::Impl(const LocalizerParams& params, const LandmarkMap& map)
                 params_.association.gate_probability),
       telling_evidence_(params_.monitor.evidence, filter_params_, telling_map_, telling_index_,
                         params_.association.gate_probability),
+      corner_evidence_(params_.monitor.evidence, filter_params_, map, index_,
+                       params_.association.gate_probability, TellingKinds::kAll),
       monitor_(params_.monitor),
       hypotheses_(params_, telling_index_, telling_evidence_),
       track_(from_seconds(2.0 * params_.history.span + 1.0)),
       scene_(params_.base_T_laser) {
+  if (params_.recovery.corners && telling_map_.landmarks.size() < map.landmarks.size()) {
+    LocalizerParams of_both = params_;
+    of_both.constellation.max_candidates = params_.recovery.corner_candidates;
+    with_corners_.emplace(of_both, index_, corner_evidence_);
+  }
   forget_pose(params_.search_alone);
 }
 
@@ -129,7 +136,7 @@ void Localizer::Impl::restart_clock(Time stamp) {
   track_.clear();
   track_.add(stamp, {});
   latest_ = searched_ = fitted_ = stamp;
-  hypotheses_.clear();
+  forget_places();
   scene_.clear();
   if (history_) {
     PoseEstimate pose = history_->map_T_base();
@@ -164,7 +171,7 @@ void Localizer::Impl::set_pose(Time stamp, const std::optional<PoseEstimate>& ma
   const LandmarkFilter check(landmark_params(), *map_T_base, index_);  // throws for what is none
   latest_ = std::max(latest_, stamp);
   searching_ = false;
-  hypotheses_.clear();
+  forget_places();
   restart_at(stamp, *map_T_base);
   monitor_.begin(latest_, 0.0);
   fitted_ = latest_;
@@ -173,7 +180,7 @@ void Localizer::Impl::set_pose(Time stamp, const std::optional<PoseEstimate>& ma
 
 void Localizer::Impl::forget_pose(bool search) {
   history_.reset();
-  hypotheses_.clear();
+  forget_places();
   searching_ = search;
   judge();
 }
@@ -204,7 +211,7 @@ void Localizer::Impl::add_scan(const LaserScan& scan) {
   const auto again = scene_.share_seen_again(scan, landmarks.instant, track_);
   if (again && *again < params_.monitor.min_scene) {
     monitor_.scene_changed(landmarks.instant);
-    hypotheses_.clear();
+    forget_places();
   }
   add_landmarks(landmarks, &sight);
 }
@@ -225,7 +232,7 @@ void Localizer::Impl::add_landmarks(const ScanLandmarks& landmarks, const ScanSi
   if (history_) {
     track_scan(landmarks, observations, sight);
   } else if (searching_) {
-    search_scan(landmarks, observations_of(telling(landmarks)), sight);
+    search_scan(landmarks, sight);
   } else {
     report_seen(observations, nullptr);
   }
@@ -310,24 +317,37 @@ LandmarkFilterParams Localizer::Impl::landmark_params() const {
   return params;
 }
 
-void Localizer::Impl::search_scan(const ScanLandmarks& landmarks, const Observations& observations,
-                                  const ScanSight* sight) {
+void Localizer::Impl::search_scan(const ScanLandmarks& landmarks, const ScanSight* sight) {
+  const Observations observations = observations_of(telling(landmarks));
   report_seen(observations, nullptr);
   if (landmarks.instant < searched_) return;  // late: left out
   if (searched_ >= track_.begin()) {
-    hypotheses_.move(track_.between(searched_, landmarks.instant));
+    const PoseEstimate motion = track_.between(searched_, landmarks.instant);
+    hypotheses_.move(motion);
+    if (with_corners_) with_corners_->move(motion);
   } else {
-    hypotheses_.clear();  // too long ago to know the way
+    forget_places();  // too long ago to know the way
   }
   searched_ = landmarks.instant;
   hypotheses_.add_scan(observations, sight);
-  const auto decided = hypotheses_.decided();
-  if (!decided) return;
-  restart_at(landmarks.instant, decided->map_T_base);
+  if (with_corners_) with_corners_->add_scan(observations_of(landmarks), sight);
+  const auto found = decided();
+  if (!found) return;
+  restart_at(landmarks.instant, found->map_T_base);
   monitor_.begin(latest_, 0.0);
   fitted_ = landmarks.instant;
   searching_ = false;
+  forget_places();
+}
+
+std::optional<PoseHypothesis> Localizer::Impl::decided() const {
+  const auto found = hypotheses_.decided();
+  return found || !with_corners_ ? found : with_corners_->decided_with_corners();
+}
+
+void Localizer::Impl::forget_places() {
   hypotheses_.clear();
+  if (with_corners_) with_corners_->clear();
 }
 
 void Localizer::Impl::report_seen(const Observations& observations, const PoseUpdate* update) {
@@ -360,6 +380,7 @@ std::vector<ActiveLandmark> Localizer::Impl::landmarks() const {
 
 void Localizer::Impl::judge() {
   report_.hypotheses = hypotheses_.places().size();
+  if (with_corners_) report_.hypotheses += with_corners_->places().size();
   report_.map_T_base.reset();
   report_.evidence = 0.0;
   report_.stamp = latest_;
@@ -370,7 +391,7 @@ void Localizer::Impl::judge() {
     report_.evidence = monitor_.evidence();
     if (status == LocalizationStatus::kLost) {
       history_.reset();
-      hypotheses_.clear();
+      forget_places();
       searching_ = params_.search_alone;
       return;
     }

@@ -47,8 +47,9 @@ class Localizer::Impl {
   bool within_reach(const Pose2& from, const Pose2& to, double time) const;
   void track_scan(const ScanLandmarks& landmarks, Observations observations,
                   const ScanSight* sight);
-  void search_scan(const ScanLandmarks& landmarks, const Observations& observations,
-                   const ScanSight* sight);
+  void search_scan(const ScanLandmarks& landmarks, const ScanSight* sight);
+  std::optional<PoseHypothesis> decided() const;
+  void forget_places();
   void report_seen(const Observations& observations, const PoseUpdate* update);
   void judge();
 
@@ -57,9 +58,10 @@ class Localizer::Impl {
   std::shared_ptr<const LandmarkIndex> telling_index_;
   PoseFilterParams filter_params_;
   LandmarkDetector detector_;
-  PoseEvidence evidence_, telling_evidence_;
+  PoseEvidence evidence_, telling_evidence_, corner_evidence_;
   PoseMonitor monitor_;
   PoseHypotheses hypotheses_;
+  std::optional<PoseHypotheses> with_corners_;  // where the map has both and they shall decide
   OdometryTrack track_;
   SceneMemory scene_;
   std::optional<PoseHistory> history_;  // while there is a pose

@@ -31,6 +31,7 @@ void validate(const PoseEvidenceParams& params) {
   require_in_range("mapped", params.mapped, kTiny, 1.0 - kTiny);
   require_in_range("expected_range", params.expected_range, 0.0, 1000.0);
   require_in_range("sight_margin", params.sight_margin, 0.01, 10.0);
+  require_in_range("corner_chance", params.corner_chance, kTiny, params.mapped);
 }
 
 void validate(const PoseMonitorParams& params) {
@@ -69,6 +70,8 @@ void validate(const RecoveryParams& params) {
   require_in_range("drop", params.drop, params.margin, 1000.0);
   require_in_range("memory", params.memory, 0, 10000);
   require_in_range("max_hypotheses", params.max_hypotheses, 1, 1000);
+  require_in_range("min_share", params.min_share, 0.0, 1.0);
+  require_in_range("corner_candidates", params.corner_candidates, 10, 10000000);
 }
 
 void validate(const NaturalFeatureParams& params) {

@@ -35,10 +35,11 @@ bool fits_nothing(ObservationVerdict verdict) {
 
 PoseEvidence::PoseEvidence(const PoseEvidenceParams& params, const PoseFilterParams& filter,
                            const LandmarkMap& map, std::shared_ptr<const LandmarkIndex> index,
-                           double gate_probability)
+                           double gate_probability, TellingKinds kinds)
     : params_(params),
       base_T_laser_(filter.base_T_laser),
       index_(std::move(index)),
+      least_corner_chance_(kLeastChance),
       gate_(pair_gate(gate_probability)),
       density_(density_of(index_->landmarks())) {
   validate(params_);
@@ -46,6 +47,10 @@ PoseEvidence::PoseEvidence(const PoseEvidenceParams& params, const PoseFilterPar
     const MapLandmark* origin = map.find(static_cast<int>(landmark.id));
     expected_kind_.push_back(origin == nullptr || origin->kind == LandmarkKind::kReflector);
     if (expected_kind_.back()) corners_tell_ = false;
+  }
+  if (kinds == TellingKinds::kAll) {
+    corners_tell_ = true;
+    least_corner_chance_ = std::max(kLeastChance, params_.corner_chance);
   }
 }
 
@@ -62,7 +67,8 @@ double PoseEvidence::chance_of(const PoseEstimate& prior,
       deviation * deviation * seen.dvalue_dlandmark * seen.dvalue_dlandmark.transpose();
   double area = kPi * gate_ * std::sqrt(std::max(0.0, S.determinant()));
   if (observation.model == ObservationModel::kRangeBearing) area *= in_laser.norm();
-  return std::clamp(density_ * area, kLeastChance, kGreatestChance);
+  const bool corner = observation.kind != LandmarkKind::kReflector;
+  return std::clamp(density_ * area, corner ? least_corner_chance_ : kLeastChance, kGreatestChance);
 }
 
 void PoseEvidence::count_expected(const PoseEstimate& pose, const PoseUpdate& update,
@@ -98,21 +104,27 @@ ScanEvidence PoseEvidence::judge(const PoseEstimate& prior,
     return corners_tell_ || observations[i].kind == LandmarkKind::kReflector;
   };
   double mean_chance = kLeastChance;
+  const auto count = [&](double log_odds, bool of_reflectors) {
+    result.log_odds += log_odds;
+    if (of_reflectors) result.reflector_log_odds += log_odds;
+  };
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const double chance = chance_of(prior, observations[i]);
+    const bool reflector = observations[i].kind == LandmarkKind::kReflector;
     mean_chance = std::max(mean_chance, chance);
     if (verdicts[i] == ObservationVerdict::kUsed) {
       ++agreement.used;
-      if (tells(i)) result.log_odds += std::log(params_.mapped / chance);
+      if (tells(i)) count(std::log(params_.mapped / chance), reflector);
     } else if (fits_nothing(verdicts[i]) && tells(i)) {
       ++agreement.strangers;
-      result.log_odds += std::min(0.0, std::log((1.0 - params_.mapped) / (1.0 - chance)));
+      count(std::min(0.0, std::log((1.0 - params_.mapped) / (1.0 - chance))), reflector);
     }
   }
   if (sight != nullptr) count_expected(prior, update, *sight, agreement);
   const std::size_t counted = std::min(agreement.missed, agreement.used + agreement.strangers);
-  result.log_odds += static_cast<double>(counted) *
-                     std::min(0.0, std::log((1.0 - params_.detection) / (1.0 - mean_chance)));
+  count(static_cast<double>(counted) *
+            std::min(0.0, std::log((1.0 - params_.detection) / (1.0 - mean_chance))),
+        true);
   return result;
 }
 

@@ -29,6 +29,10 @@ PoseHypotheses::PoseHypotheses(const LocalizerParams& params,
       evidence_(evidence),
       search_(params.constellation, params.base_T_laser, map_) {
   validate(params_);
+  const std::vector<Landmark>& landmarks = map_->landmarks();
+  has_reflectors_ = std::any_of(landmarks.begin(), landmarks.end(), [](const Landmark& landmark) {
+    return landmark.kind == LandmarkKind::kReflector;
+  });
 }
 
 void PoseHypotheses::clear() {
@@ -42,6 +46,11 @@ void PoseHypotheses::move(const PoseEstimate& motion) {
   for (Sighting& sighting : sightings_) sighting.in_base = transform(back, sighting.in_base);
 }
 
+// A scan shows many corners, and of older ones those that come and go would be left.
+bool PoseHypotheses::is_remembered(LandmarkKind kind) const {
+  return kind == LandmarkKind::kReflector || !has_reflectors_;
+}
+
 // What is seen again is remembered as it was seen last.
 void PoseHypotheses::remember(const std::vector<LandmarkObservation>& observations) {
   for (Sighting& sighting : sightings_) ++sighting.age;
@@ -49,6 +58,7 @@ void PoseHypotheses::remember(const std::vector<LandmarkObservation>& observatio
   std::vector<Sighting> seen;
   for (const LandmarkObservation& observation : observations) {
     if (observation.model != ObservationModel::kCartesian || !is_usable(observation)) continue;
+    if (!is_remembered(observation.kind)) continue;
     seen.push_back({transform(base_T_laser, {observation.value, observation.covariance}),
                     observation.kind, 0});
   }
@@ -69,6 +79,9 @@ void PoseHypotheses::correct(PoseHypothesis& place,
   const ScanEvidence scan = evidence_.judge(place.map_T_base, observations, update, sight);
   place.map_T_base = filter.map_T_base();
   place.log_odds += scan.log_odds - excess(update);
+  place.reflector_log_odds += scan.reflector_log_odds;
+  place.used += scan.agreement.used;
+  place.strangers += scan.agreement.strangers;
   if (update.corrected() && scan.log_odds > 0.0) ++place.scans;
 }
 
@@ -84,7 +97,9 @@ std::optional<PoseHypothesis> PoseHypotheses::hypothesis_of(
   const ScanEvidence scan = evidence_.judge(prior, observations, update, sight);
   const double share = static_cast<double>(used - 2) / static_cast<double>(used);
   const double log_odds = scan.log_odds > 0.0 ? share * scan.log_odds : scan.log_odds;
-  return PoseHypothesis{filter.map_T_base(), log_odds - excess(update), 1};
+  PoseHypothesis place{filter.map_T_base(), log_odds - excess(update), 1};
+  place.reflector_log_odds = std::min(0.0, scan.reflector_log_odds);
+  return place;
 }
 
 void PoseHypotheses::add_new(const std::vector<LandmarkObservation>& observations,
@@ -142,6 +157,14 @@ std::optional<PoseHypothesis> PoseHypotheses::decided() const {
     return std::nullopt;
   }
   return best;
+}
+
+std::optional<PoseHypothesis> PoseHypotheses::decided_with_corners() const {
+  const auto best = decided();
+  if (!best || best->reflector_log_odds < 0.0) return std::nullopt;
+  const auto used = static_cast<double>(best->used);
+  const auto seen = used + static_cast<double>(best->strangers);
+  return used < params_.min_share * seen ? std::nullopt : best;
 }
 
 }  // namespace falko_slam

@@ -79,6 +79,21 @@ TEST(ConstellationSearch, GivesBothPlacesOfATwofoldMap) {
   }
 }
 
+TEST(ConstellationSearch, TakesNoCornerForAReflector) {
+  std::mt19937_64 random = test::seeded_random();
+  std::vector<Landmark> landmarks = scattered(8, 20.0, random);
+  const std::vector<LandmarkObservation> seen =
+      seen_from({10.0, 10.0, 0.0}, landmarks, 30.0, random);
+  for (Landmark& landmark : landmarks) landmark.kind = LandmarkKind::kFeature;
+  ConstellationSearch search({}, kBaseTLaser, std::make_shared<LandmarkIndex>(landmarks));
+
+  EXPECT_TRUE(search.search(seen).empty());
+
+  std::vector<LandmarkObservation> corners = seen;
+  for (LandmarkObservation& corner : corners) corner.kind = LandmarkKind::kFeature;
+  EXPECT_FALSE(search.search(corners).empty());
+}
+
 TEST(ConstellationSearch, DoesNotTakeAMirrorImage) {
   std::mt19937_64 random = test::seeded_random();
   const auto map = std::make_shared<LandmarkIndex>(scattered(8, 20.0, random));
@@ -119,6 +134,77 @@ TEST(Localizer, DoesNotDecideBetweenPlacesThatLookAlike) {
   }
 
   EXPECT_EQ(localizer.state().reason, LocalizationReason::kAmbiguous);
+}
+
+// Two reflectors that fit in many places, and corners that tell which one it is.
+class CornersBesideReflectors : public ::testing::Test {
+ protected:
+  CornersBesideReflectors() : random_(test::seeded_random()) {
+    std::vector<Landmark> corners = scattered(60, 100.0, random_);
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      add({i, {10.0 * i, 50.0}, Eigen::Matrix2d::Zero()});
+    }
+    for (Landmark& corner : corners) {
+      corner.id += 100;
+      corner.kind = LandmarkKind::kFeature;
+      add(corner);
+    }
+    params_.base_T_laser = kBaseTLaser;
+  }
+
+  void add(const Landmark& landmark) {
+    landmarks_.push_back(landmark);
+    MapLandmark copy;
+    copy.id = static_cast<int>(landmark.id);
+    copy.position = landmark.position;
+    copy.kind = landmark.kind;
+    map_.landmarks.push_back(copy);
+  }
+
+  // What the vehicle sees, of 20 scans while it stands.
+  LocalizerReport stand_at(const Pose2& truth) {
+    Localizer localizer(params_, map_);
+    for (int i = 0; i < 20; ++i) {
+      const Time stamp{std::chrono::milliseconds(125 * i)};
+      localizer.add_motion(stamp, {});
+      std::vector<LandmarkObservation> seen;
+      for (const Landmark& landmark : landmarks_) {
+        for (LandmarkObservation& one : seen_from(truth, {landmark}, 25.0, random_)) {
+          one.kind = landmark.kind;
+          seen.push_back(one);
+        }
+      }
+      localizer.add_reflectors(stamp, seen);
+    }
+    return localizer.state();
+  }
+
+  std::mt19937_64 random_;
+  LandmarkMap map_;
+  std::vector<Landmark> landmarks_;
+  LocalizerParams params_;
+};
+
+TEST_F(CornersBesideReflectors, TellWhereItIs) {
+  const Pose2 truth(50.0, 46.0, 0.3);
+
+  const LocalizerReport report = stand_at(truth);
+
+  ASSERT_TRUE(report.map_T_base);
+  EXPECT_TRUE(are_same_place(report.map_T_base->pose, truth));
+}
+
+TEST_F(CornersBesideReflectors, AreNotAskedIfNotWanted) {
+  params_.recovery.corners = false;
+
+  EXPECT_FALSE(stand_at({50.0, 46.0, 0.3}).map_T_base);
+}
+
+TEST_F(CornersBesideReflectors, DoNotMakeAPoseOkWithoutReflectors) {
+  const LocalizerReport report = stand_at({50.0, 15.0, 0.3});  // 35 m from all reflectors
+
+  ASSERT_TRUE(report.map_T_base);
+  EXPECT_EQ(report.status, LocalizationStatus::kDegraded);
 }
 
 TEST(Localizer, KeepsItsPoseAmongGhostReflections) {

@@ -20,12 +20,12 @@ struct PlaceCandidate {
 
 /// Where in a map observations fit, with nothing known of the pose.
 ///
-/// Any two observations and any two landmarks that are as far apart, to within the deviations of
-/// all four, give a place; the pairs of observations with the fewest such landmarks come first. It
-/// is kept if at least ConstellationParams::min_landmarks observations have a landmark where they
-/// point to. Mirror images do not fit. All pairs of landmarks are kept sorted by distance (the
-/// shortest million of them): O(log pairs) for a pair of observations and O(observations) for a
-/// place, of which max_candidates are tried.
+/// Any two observations and any two landmarks of their kinds that are as far apart, to within the
+/// deviations of all four, give a place; the pairs of observations with the fewest such landmarks
+/// come first. It is kept if at least ConstellationParams::min_landmarks observations have a
+/// landmark where they point to. Mirror images do not fit. All pairs of landmarks are kept sorted
+/// by distance (the shortest million of them): O(log pairs) for a pair of observations and
+/// O(observations) for a place, of which max_candidates are tried.
 class ConstellationSearch {
  public:
   /// Throws std::invalid_argument for params.
@@ -43,6 +43,7 @@ class ConstellationSearch {
   struct Point {
     Eigen::Vector2d in_laser;
     double variance;  // in its worst direction, with that of the map
+    LandmarkKind kind;
   };
   struct PointPair {
     std::size_t first, second;
@@ -53,6 +54,7 @@ class ConstellationSearch {
   void list_map_pairs();
   void list_point_pairs();
   void try_place(const PointPair& pair, std::uint32_t first, std::uint32_t second);
+  bool has_near(const Eigen::Vector2d& point_in_map, double radius, LandmarkKind kind);
   std::size_t explained_by(const Pose2& map_T_laser, const PointPair& pair, std::size_t enough);
   void keep(const Pose2& map_T_laser, std::size_t explained);
 

@@ -17,6 +17,7 @@ void visit_evidence_fields(Params& params, Visitor& visitor) {
   visitor.field("mapped", params.mapped);
   visitor.field("expected_range", params.expected_range);
   visitor.field("sight_margin", params.sight_margin);
+  visitor.field("corner_chance", params.corner_chance);
 }
 
 template <class Params, class Visitor>
@@ -60,6 +61,9 @@ void visit_recovery_fields(Params& params, Visitor& visitor) {
   visitor.field("drop", params.drop);
   visitor.field("memory", params.memory);
   visitor.field("max_hypotheses", params.max_hypotheses);
+  visitor.field("corners", params.corners);
+  visitor.field("min_share", params.min_share);
+  visitor.field("corner_candidates", params.corner_candidates);
 }
 
 template <class Params, class Visitor>

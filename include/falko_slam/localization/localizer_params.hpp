@@ -21,6 +21,9 @@ struct PoseEvidenceParams {
   /// What may lie between where the map has a landmark and where the scan ends, for it still to be
   /// in plain sight. [0.01, 10] [m]
   double sight_margin = 0.3;
+  /// Probability that at a wrong place a corner fits to one of the map, at least: of racks that are
+  /// alike many do. Counts where corners and reflectors are searched for together. (0, mapped]
+  double corner_chance = 0.3;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const PoseEvidenceParams& params);
@@ -74,6 +77,13 @@ struct RecoveryParams {
   double drop = 15.0;       ///< places with so much less than the best are dropped. [margin, 1000]
   int memory = 50;          ///< scans that a landmark is remembered for. [0, 10000]
   int max_hypotheses = 30;  ///< carried along. [1, 1000]
+  /// Where reflectors alone have not decided, those and the corners of the map do together. The
+  /// pose is kDegraded until reflectors confirm it.
+  bool corners = true;
+  double min_share = 0.6;  ///< of all that was seen in the map, for corners to decide. [0, 1]
+  /// Places that are tried in their search, as ConstellationParams::max_candidates is among
+  /// reflectors. A corner has many more to be compared with. [10, 10000000]
+  int corner_candidates = 5000;
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const RecoveryParams& params);

@@ -15,8 +15,10 @@ namespace falko_slam {
 /// A place that may be the pose.
 struct PoseHypothesis {
   PoseEstimate map_T_base;
-  double log_odds = 0.0;  ///< sum of PoseEvidence less half of the excess of the NIS
-  int scans = 0;          ///< that agreed
+  double log_odds = 0.0;                ///< sum of PoseEvidence less half of the excess of the NIS
+  int scans = 0;                        ///< that agreed
+  double reflector_log_odds = 0.0;      ///< the part of it that reflectors have
+  std::size_t used = 0, strangers = 0;  ///< observations of all scans that fit, and that do not
 };
 
 /// Several places at once, until scans decide: each is moved by the odometry and corrected by every
@@ -36,6 +38,9 @@ class PoseHypotheses {
 
   /// The one that is better than all others by as much as RecoveryParams asks for.
   std::optional<PoseHypothesis> decided() const;
+  /// The same of places that corners have a part in: reflectors must not speak against it, and
+  /// RecoveryParams::min_share of what was seen must be in the map.
+  std::optional<PoseHypothesis> decided_with_corners() const;
 
   const std::vector<PoseHypothesis>& places() const { return places_; }  ///< the best one first
 
@@ -46,6 +51,7 @@ class PoseHypotheses {
                                               const std::vector<LandmarkObservation>& observations,
                                               const ScanSight* sight) const;
   void add_new(const std::vector<LandmarkObservation>& observations, const ScanSight* sight);
+  bool is_remembered(LandmarkKind kind) const;
   void remember(const std::vector<LandmarkObservation>& observations);
   void sort_and_drop();
 
@@ -61,6 +67,7 @@ class PoseHypotheses {
   std::shared_ptr<const LandmarkIndex> map_;
   const PoseEvidence& evidence_;
   ConstellationSearch search_;
+  bool has_reflectors_ = false;
   std::vector<PoseHypothesis> places_;
   std::vector<Sighting> sightings_;
 };
