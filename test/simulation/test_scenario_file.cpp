@@ -309,7 +309,7 @@ TEST_F(ScenarioFile, RefusesThings) {
   EXPECT_EQ(thing_error("box: {at: [0, 0], size: [1, 0]}"),
             "line 2: world[0].box.size[1]: must be a number in [0.001, 1000]");
   EXPECT_EQ(thing_error("box: {at: [0, 0], size: [1, 1], height: 2}"),
-            "line 2: world[0].box.height: nobody knows this; known are at and size");
+            "line 2: world[0].box.height: nobody knows this; known are at, size and bulge");
   EXPECT_EQ(thing_error("pallet: {at: [1, 2, 3, 4]}"),
             "line 2: world[0].pallet.at: must be [x, y, heading] or [x, y]");
   EXPECT_EQ(thing_error("column: {at: [0, 0], radius: -1}"),
