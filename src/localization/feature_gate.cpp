@@ -23,7 +23,12 @@ FeatureGate::FeatureGate(const LandmarkState& state, const std::vector<FeatureRe
       base_T_laser_(base_T_laser),
       gate_(gate),
       pose_(state.pose()),
-      radius_(pose_, base_T_laser, map ? map->largest_deviation() : 0.0, std::sqrt(gate)) {}
+      radius_(pose_, base_T_laser, map ? map->largest_deviation() : 0.0, std::sqrt(gate)) {
+  for (int i = 0; i < state_.landmarks(); ++i) {
+    const bool is_line = records_[static_cast<std::size_t>(i)].is_line;
+    deviations_.push_back(is_line ? 0.0 : greatest_deviation(state_.covariance_of(i)));
+  }
+}
 
 FeatureGate::Found FeatureGate::add(std::size_t number, const SeenFeature& seen,
                                     FeaturePairs& pairs) {
@@ -90,7 +95,7 @@ bool FeatureGate::add_of_state(std::size_t number, const SeenFeature& seen,
   bool any = false;
   for (int i = 0; i < state_.landmarks(); ++i) {
     const FeatureRecord& record = records_[static_cast<std::size_t>(i)];
-    const double theirs = record.is_line ? 0.0 : greatest_deviation(state_.covariance_of(i));
+    const double theirs = deviations_[static_cast<std::size_t>(i)];
     if (!may_be(i, std::sqrt(gate_) * (own + theirs) / share, seen)) continue;
     LandmarkState::Row row = row_of(pose_.pose, base_T_laser_, record, state_.mean_of(i), seen);
     row.landmark = i;

@@ -45,6 +45,7 @@ class FeatureGate {
   double gate_;
   PoseEstimate pose_;
   GateRadius radius_;
+  std::vector<double> deviations_;  // greatest one of each landmark of the state that is a point
   std::vector<std::size_t> near_;
 };
 
