@@ -19,6 +19,7 @@ void add_map(CLI::App& app);
 void add_optimize(CLI::App& app);
 void add_evaluate_calibration(CLI::App& evaluate);   // below `evaluate`
 void add_evaluate_localization(CLI::App& evaluate);  // the same
+void add_evaluate_precision(CLI::App& evaluate);     // the same
 void add_evaluate_reflectors(CLI::App& evaluate);    // the same
 void add_evaluate_slam(CLI::App& evaluate);          // the same
 void add_parameters(CLI::App& app);

@@ -177,6 +177,7 @@ void add_evaluate(CLI::App& app) {
   add_features(*verb);
   add_loops(*verb);
   add_drive(*verb);
+  add_evaluate_precision(*verb);
   add_evaluate_reflectors(*verb);
   add_evaluate_slam(*verb);
   add_evaluate_calibration(*verb);

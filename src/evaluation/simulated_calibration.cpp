@@ -26,22 +26,6 @@ SegmentRecorderParams recorder_params(const SimulatedCalibrationParams& params) 
   return recorder;
 }
 
-CalibrationResult calibrate_in_a_hall(const CalibrationPlan& plan,
-                                      const SimulatedCalibrationParams& params, std::size_t run) {
-  std::seed_seq words{static_cast<std::uint32_t>(params.seed),
-                      static_cast<std::uint32_t>(params.seed >> 32U),
-                      static_cast<std::uint32_t>(run)};
-  std::mt19937_64 random(words);
-  Scenario scenario = random_hall(params.hall, plan, params.vehicle.nominal, random);
-  scenario.vehicle = params.vehicle;
-  scenario.laser = params.laser;
-  const SimulatedCalibrationDrive drive =
-      drive_calibration(scenario, plan, recorder_params(params), random());
-  if (!drive.trouble.empty()) return {};
-  return calibrate_recorded(drive.segments, params.calibrator, params.reflectors.lasting_noise)
-      .result;
-}
-
 VehicleCalibration truth_of(const VehicleModel& vehicle) {
   return {vehicle.tricycle, 1.0, vehicle.base_T_laser};
 }
@@ -107,6 +91,22 @@ CalibrationPlan plan_of(const CalibrationCondition& condition,
   plan.max_distance = 1000.0;
   plan.max_distance = way_of(plan, params.vehicle.nominal).greatest_distance + kRoom;
   return plan;
+}
+
+CalibrationResult calibrate_in_a_hall(const CalibrationPlan& plan,
+                                      const SimulatedCalibrationParams& params, std::size_t run) {
+  std::seed_seq words{static_cast<std::uint32_t>(params.seed),
+                      static_cast<std::uint32_t>(params.seed >> 32U),
+                      static_cast<std::uint32_t>(run)};
+  std::mt19937_64 random(words);
+  Scenario scenario = random_hall(params.hall, plan, params.vehicle.nominal, random);
+  scenario.vehicle = params.vehicle;
+  scenario.laser = params.laser;
+  const SimulatedCalibrationDrive drive =
+      drive_calibration(scenario, plan, recorder_params(params), random());
+  if (!drive.trouble.empty()) return {};
+  return calibrate_recorded(drive.segments, params.calibrator, params.reflectors.lasting_noise)
+      .result;
 }
 
 MonteCarloReport run_simulated_calibrations(const CalibrationCondition& condition,

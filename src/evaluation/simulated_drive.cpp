@@ -9,7 +9,7 @@
 
 #include "falko_slam/sensor/scan_normalizer.hpp"
 #include "falko_slam/simulation/simulation.hpp"
-#include "falko_slam/vehicle/tricycle_odometry.hpp"
+#include "motion_source.hpp"
 
 namespace falko_slam {
 namespace {
@@ -32,28 +32,6 @@ class Calibration {
 
   TricycleParams tricycle;
   Pose2 base_T_laser;
-};
-
-// Turns readings of encoders into motions.
-class MotionSource {
- public:
-  MotionSource(const Calibration& calibration, const EncoderParams& encoders,
-               const OdometryNoise& noise)
-      : tricycle_(calibration.tricycle), noise_(noise), odometry_(tricycle_, encoders) {}
-
-  std::optional<DriveInputEvent> add(const EncoderReading& reading) {
-    const Pose2 before = odometry_.odom_T_base();
-    const OdometryStep step = odometry_.add(reading);
-    if (step.verdict != OdometryVerdict::kIntegrated) return std::nullopt;
-    const PoseEstimate motion{before.inverse() * odometry_.odom_T_base(),
-                              arc_covariance(tricycle_, step.ticks, step.steering, noise_)};
-    return DriveInputEvent{reading.stamp, motion, {}};
-  }
-
- private:
-  TricycleParams tricycle_;
-  OdometryNoise noise_;
-  TricycleOdometry odometry_;
 };
 
 // The steps of a scenario one by one, each named one a leg.
@@ -109,7 +87,7 @@ SimulatedDrive simulate_drive(const Scenario& scenario, const CalibrationSpread&
                               const std::function<void()>& step) {
   std::mt19937_64 random(seed);
   const Calibration calibration(scenario.vehicle, spread, random);
-  MotionSource motions(calibration, scenario.vehicle.encoders, noise);
+  MotionSource motions(calibration.tricycle, scenario.vehicle.encoders, noise);
   Simulation simulation(scenario, kStart, seed);
   SimulatedDrive drive;
   drive.base_T_laser = calibration.base_T_laser;
@@ -128,7 +106,9 @@ SimulatedDrive simulate_drive(const Scenario& scenario, const CalibrationSpread&
       drive.events.push_back({normal.beam_time(normal.size() - 1), {}, std::move(normal)});
       step();
     }
-    if (auto motion = motions.add(now.encoders)) drive.events.push_back(std::move(*motion));
+    if (const auto motion = motions.add(now.encoders)) {
+      drive.events.push_back({now.encoders.stamp, *motion, {}});
+    }
   }
   return drive;
 }

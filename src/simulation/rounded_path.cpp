@@ -16,8 +16,13 @@ constexpr double kSpacing = 0.02;  // [m]
 
 RoundedPath::RoundedPath(const std::vector<Eigen::Vector2d>& through, double corner_radius) {
   append(through.front());
-  for (std::size_t i = 1; i + 1 < through.size(); ++i) {
-    append_corner(through[i - 1], through[i], through[i + 1], corner_radius);
+  const std::size_t last = through.size() - 1;
+  for (std::size_t i = 1; i < last; ++i) {
+    // A line between two corners is for both of them.
+    const double before = (through[i] - through[i - 1]).norm() * (i == 1 ? 1.0 : 0.5);
+    const double after = (through[i + 1] - through[i]).norm() * (i + 1 == last ? 1.0 : 0.5);
+    append_corner(through[i - 1], through[i], through[i + 1], corner_radius,
+                  std::min(before, after));
   }
   append(through.back());
 }
@@ -41,12 +46,11 @@ void RoundedPath::append(const Eigen::Vector2d& point) {
 }
 
 void RoundedPath::append_corner(const Eigen::Vector2d& before, const Eigen::Vector2d& corner,
-                                const Eigen::Vector2d& after, double radius) {
+                                const Eigen::Vector2d& after, double radius, double room) {
   const Eigen::Vector2d in = (corner - before).normalized();
   const Eigen::Vector2d out = (after - corner).normalized();
   const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
   const double half_tangent = std::tan(0.5 * std::abs(turn));
-  const double room = 0.5 * std::min((corner - before).norm(), (after - corner).norm());
   const double cut = std::min(radius * half_tangent, room);
   const double used_radius = half_tangent > 1e-9 ? cut / half_tangent : 0.0;
   append(corner - cut * in);
@@ -60,6 +64,23 @@ void RoundedPath::append_corner(const Eigen::Vector2d& before, const Eigen::Vect
                        Eigen::Vector2d(std::sin(angle) - std::sin(heading),
                                        std::cos(heading) - std::cos(angle)));
   }
+}
+
+Eigen::Vector2d RoundedPath::mean_around(double way, double half) const {
+  const int pieces = std::max(1, static_cast<int>(std::ceil(2.0 * half / kSpacing)));
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int i = 0; i < pieces; ++i) sum += at(way - half + 2.0 * half * (i + 0.5) / pieces);
+  return sum / pieces;
+}
+
+RoundedPath RoundedPath::smoothed(double window) const {
+  RoundedPath smooth;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length() / kSpacing)));
+  for (int i = 0; i <= pieces; ++i) {
+    const double way = length() * i / pieces;
+    smooth.append(mean_around(way, std::min({0.5 * window, way, length() - way})));
+  }
+  return smooth;
 }
 
 Eigen::Vector2d RoundedPath::at(double way) const {

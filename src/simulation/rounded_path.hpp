@@ -14,6 +14,10 @@ class RoundedPath {
   /// Corners are rounded by arcs of this radius [m], or less where the lines are too short.
   RoundedPath(const std::vector<Eigen::Vector2d>& through, double corner_radius);
 
+  /// With corners that a wheel can steer along: each point becomes the mean of the way around it,
+  /// a window of this length [m], narrower towards the ends, which stay where they are.
+  RoundedPath smoothed(double window) const;
+
   double length() const { return way_.back(); }  ///< [m]
   /// At this length of way; straight on beyond the end.
   Eigen::Vector2d at(double way) const;
@@ -21,9 +25,12 @@ class RoundedPath {
   double nearest(const Eigen::Vector2d& point, double from, double to) const;
 
  private:
+  RoundedPath() = default;
   void append(const Eigen::Vector2d& point);
+  Eigen::Vector2d mean_around(double way, double half) const;
+  /// `room`: what the corner may take of the lines before and after it [m].
   void append_corner(const Eigen::Vector2d& before, const Eigen::Vector2d& corner,
-                     const Eigen::Vector2d& after, double radius);
+                     const Eigen::Vector2d& after, double radius, double room);
 
   std::vector<Eigen::Vector2d> points_;
   std::vector<double> way_;  // to each point

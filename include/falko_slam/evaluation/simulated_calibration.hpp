@@ -68,6 +68,11 @@ void validate(const SimulatedCalibrationParams& params);
 CalibrationPlan plan_of(const CalibrationCondition& condition,
                         const SimulatedCalibrationParams& params);
 
+/// One of them, the run of this number: another hall, other noise. UNOBSERVABLE if the drive was
+/// aborted.
+CalibrationResult calibrate_in_a_hall(const CalibrationPlan& plan,
+                                      const SimulatedCalibrationParams& params, std::size_t run);
+
 /// Many calibrations under one condition; drives that were aborted count as refused, bounds are not
 /// known. The same seed gives the same report, however many threads there are.
 MonteCarloReport run_simulated_calibrations(const CalibrationCondition& condition,
