@@ -22,6 +22,7 @@ void add_evaluate_localization(CLI::App& evaluate);  // the same
 void add_evaluate_precision(CLI::App& evaluate);     // the same
 void add_evaluate_reflectors(CLI::App& evaluate);    // the same
 void add_evaluate_slam(CLI::App& evaluate);          // the same
+void add_evaluate_soak(CLI::App& evaluate);          // the same
 void add_parameters(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_slam(CLI::App& app);

@@ -69,6 +69,13 @@ std::string describe_resources() {
   return text;
 }
 
+double resident_memory() {
+  std::ifstream pages("/proc/self/statm");
+  double size = 0.0, resident = 0.0;
+  pages >> size >> resident;
+  return pages ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;
+}
+
 void write_json(const std::string& path, const nlohmann::json& document) {
   if (path == "-") {
     std::cout << document.dump(2) << "\n";

@@ -34,6 +34,10 @@ class Progress {
 /// Wall time, processor time and peak memory of this process since its start.
 std::string describe_resources();
 
+/// Memory of this process that is in the machine's just now [byte]; 0 where the system does not
+/// say.
+double resident_memory();
+
 /// Writes to `path`, or to standard output if that is "-". Throws std::runtime_error.
 void write_json(const std::string& path, const nlohmann::json& document);
 

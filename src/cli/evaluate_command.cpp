@@ -180,6 +180,7 @@ void add_evaluate(CLI::App& app) {
   add_evaluate_precision(*verb);
   add_evaluate_reflectors(*verb);
   add_evaluate_slam(*verb);
+  add_evaluate_soak(*verb);
   add_evaluate_calibration(*verb);
   add_evaluate_localization(*verb);
 }

@@ -36,16 +36,13 @@ PrecisionParams params_of(const EvaluatePrecisionOptions& options, const World& 
   params.calibration.vehicle.errors.steering_per_run = usual.steer;
   params.localizer.reflectors.diameter = diameter_of_reflectors(world);
   params.seed = options.seed;
+  params.rounds = options.rounds;
   return params;
 }
 
 void evaluate_precision(const EvaluatePrecisionOptions& options) {
   const Scenario plant = read_scenario(options.scenario);
-  Layout layout = read_layout(options.layout);
-  const std::vector<LayoutStep> once = layout.steps;
-  for (int round = 1; round < options.rounds; ++round) {
-    layout.steps.insert(layout.steps.end(), once.begin(), once.end());
-  }
+  const Layout layout = read_layout(options.layout);
   const PrecisionParams params = params_of(options, plant.world);
   std::mt19937_64 random(options.seed);
   const LandmarkMap map = surveyed_map(plant.world, options.survey_noise, random);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/evaluation/layout_drive.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "falko_slam/geometry/angles.hpp"
@@ -36,8 +38,11 @@ class LedVehicle {
  public:
   LedVehicle(const Scenario& scenario, const Layout& layout, const VehicleCalibration& believed,
              const LocalizerParams& params, const OdometryNoise& noise, const LandmarkMap& map,
-             std::uint64_t seed)
-      : laser_(scenario.laser),
+             std::uint64_t seed, const std::function<void(const LayoutScan&)>& observe,
+             const std::function<void(const HaltingPoint&)>& halted)
+      : observe_(observe),
+        halted_(halted),
+        laser_(scenario.laser),
         encoders_(scenario.vehicle.encoders),
         simulation_(scenario, kStart, seed),
         motions_(believed.tricycle, scenario.vehicle.encoders, noise),
@@ -46,34 +51,46 @@ class LedVehicle {
     localizer_.set_pose(kStart, PoseEstimate{scenario.world_T_start, kTold});
     motions_.add(simulation_.state().encoders);
     motion_.stamp = posed_ = kStart;
+    before_ = scenario.world_T_start;
   }
 
-  LayoutDrive drive(const std::function<void()>& step) {
-    double squares = 0.0;
-    std::size_t moves = 0;
-    while (!follower_.done() && motion_.stamp - posed_ < kPatience) {
-      hear(simulation_.step(follower_.next(motion_)), step);
-      look_for_halt();
-      if (std::abs(motion_.speed) < kMoves) continue;
-      squares += follower_.cross_track() * follower_.cross_track();
-      ++moves;
+  LayoutDrive drive(const LayoutRepetition& repetition) {
+    const Time end = kStart + from_seconds(repetition.most_seconds);
+    for (int round = 0; round < repetition.rounds && !lost(); ++round) {
+      follower_.begin_again();
+      seen_ = 0;
+      while (!follower_.done() && !lost() && simulation_.time() < end) step();
     }
-    drive_.cross_track_rmse = moves > 0 ? std::sqrt(squares / static_cast<double>(moves)) : 0.0;
+    drive_.cross_track_rmse = moves_ > 0 ? std::sqrt(squares_ / static_cast<double>(moves_)) : 0.0;
     drive_.seconds = to_seconds(simulation_.time() - kStart);
-    if (!follower_.done()) drive_.trouble = trouble();
+    if (lost()) drive_.trouble = trouble();
     return std::move(drive_);
   }
 
  private:
-  void hear(const SimulationStep& now, const std::function<void()>& step) {
+  bool lost() const { return motion_.stamp - posed_ >= kPatience; }
+
+  void step() {
+    const WheelCommand command = follower_.next(motion_);
+    look_for_halt();
+    hear(simulation_.step(command));
+    if (std::abs(motion_.speed) < kMoves) return;
+    squares_ += follower_.cross_track() * follower_.cross_track();
+    ++moves_;
+  }
+
+  void hear(const SimulationStep& now) {
     for (const SimulationStep::Scan& scan : now.scans) {
       LaserScan normal;
       normalize(as_raw_scan(laser_, scan.scan), {}, normal);
+      const auto begin = std::chrono::steady_clock::now();
       const LocalizerReport& report = localizer_.add_scan(normal);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
       ++drive_.scans;
       ++drive_.status[static_cast<std::size_t>(report.status)];
-      step();
+      observe_({report, before_, took.count()});
     }
+    before_ = now.world_T_base;
     const auto moved = motions_.add(now.encoders);
     if (!moved) return;
     const double seconds = to_seconds(now.encoders.stamp - motion_.stamp);
@@ -87,13 +104,14 @@ class LedVehicle {
     posed_ = motion_.stamp;
   }
 
-  // The follower says so with its next command, before anything moves again.
+  // The vehicle still stands when its follower says so.
   void look_for_halt() {
     for (; seen_ < follower_.halts().size(); ++seen_) {
       const Halt& halt = follower_.halts()[seen_];
-      if (!halt.name.empty()) drive_.halts.push_back({halt, stood_});
+      if (halt.name.empty()) continue;
+      drive_.halts.push_back({halt, before_});
+      halted_(drive_.halts.back());
     }
-    stood_ = simulation_.vehicle().world_T_base();
   }
 
   std::string trouble() const {
@@ -102,6 +120,8 @@ class LedVehicle {
            name_of(report.reason);
   }
 
+  const std::function<void(const LayoutScan&)>& observe_;
+  const std::function<void(const HaltingPoint&)>& halted_;
   LaserModel laser_;
   EncoderParams encoders_;
   Simulation simulation_;
@@ -111,18 +131,22 @@ class LedVehicle {
   VehicleMotion motion_;
   Time posed_{};
   std::size_t seen_ = 0;
-  Pose2 stood_;
+  Pose2 before_;  // the truth when the last motion ended
+  double squares_ = 0.0;
+  std::size_t moves_ = 0;
   LayoutDrive drive_;
 };
 
 }  // namespace
 
 LayoutDrive drive_layout(const Scenario& scenario, const Layout& layout,
-                         const VehicleCalibration& believed, LocalizerParams params,
+                         const VehicleCalibration& believed, const LocalizerParams& params,
                          const OdometryNoise& noise, const LandmarkMap& map, std::uint64_t seed,
-                         const std::function<void()>& step) {
-  LedVehicle vehicle(scenario, layout, believed, params, noise, map, seed);
-  return vehicle.drive(step);
+                         const LayoutRepetition& repetition,
+                         const std::function<void(const LayoutScan&)>& observe,
+                         const std::function<void(const HaltingPoint&)>& halted) {
+  LedVehicle vehicle(scenario, layout, believed, params, noise, map, seed, observe, halted);
+  return vehicle.drive(repetition);
 }
 
 }  // namespace falko_slam

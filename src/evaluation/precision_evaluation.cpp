@@ -89,7 +89,7 @@ std::vector<PrecisionVehicle> thesis_vehicles() {
 
 PrecisionRun evaluate_precision(const PrecisionVehicle& vehicle, std::size_t number,
                                 const Scenario& plant, const Layout& layout, const LandmarkMap& map,
-                                const PrecisionParams& params, const std::function<void()>& step) {
+                                const PrecisionParams& params) {
   PrecisionRun run;
   run.vehicle = vehicle;
   run.believed = {vehicle.model.nominal, 1.0, vehicle.model.nominal_base_T_laser};
@@ -107,7 +107,7 @@ PrecisionRun evaluate_precision(const PrecisionVehicle& vehicle, std::size_t num
   const LocalizerParams localizer =
       vehicle.calibrated ? params.localizer : told_of_tolerances(params.localizer);
   run.drive = drive_layout(scenario, layout, run.believed, localizer, params.odometry, map,
-                           seed_of(params.seed, number), step);
+                           seed_of(params.seed, number), {params.rounds, 1e9});
   return run;
 }
 

@@ -16,24 +16,6 @@ namespace {
 
 constexpr Time kStart{std::chrono::seconds(1)};
 
-class Calibration {
- public:
-  Calibration(const VehicleModel& truth, const CalibrationSpread& spread, std::mt19937_64& random)
-      : tricycle(truth.tricycle) {
-    std::normal_distribution<double> error;
-    tricycle.steer_offset_forward += spread.steer_offset * error(random);
-    tricycle.steer_offset_backward += spread.steer_offset * error(random);
-    tricycle.driving_scale += spread.driving_scale * error(random);
-    const Pose2& laser = truth.base_T_laser;
-    const double x = laser.x() + spread.laser_x * error(random);
-    const double y = laser.y() + spread.laser_y * error(random);
-    base_T_laser = {x, y, laser.theta() + spread.laser_heading * error(random)};
-  }
-
-  TricycleParams tricycle;
-  Pose2 base_T_laser;
-};
-
 // The steps of a scenario one by one, each named one a leg.
 class StepDriver {
  public:
@@ -82,11 +64,25 @@ class StepDriver {
 
 }  // namespace
 
+VehicleCalibration drawn_calibration(const VehicleModel& truth, const CalibrationSpread& spread,
+                                     std::mt19937_64& random) {
+  std::normal_distribution<double> error;
+  VehicleCalibration drawn{truth.tricycle, 1.0, truth.base_T_laser};
+  drawn.tricycle.steer_offset_forward += spread.steer_offset * error(random);
+  drawn.tricycle.steer_offset_backward += spread.steer_offset * error(random);
+  drawn.tricycle.driving_scale += spread.driving_scale * error(random);
+  const Pose2& laser = truth.base_T_laser;
+  const double x = laser.x() + spread.laser_x * error(random);
+  const double y = laser.y() + spread.laser_y * error(random);
+  drawn.base_T_laser = {x, y, laser.theta() + spread.laser_heading * error(random)};
+  return drawn;
+}
+
 SimulatedDrive simulate_drive(const Scenario& scenario, const CalibrationSpread& spread,
                               const OdometryNoise& noise, std::uint64_t seed, double duration,
                               const std::function<void()>& step) {
   std::mt19937_64 random(seed);
-  const Calibration calibration(scenario.vehicle, spread, random);
+  const VehicleCalibration calibration = drawn_calibration(scenario.vehicle, spread, random);
   MotionSource motions(calibration.tricycle, scenario.vehicle.encoders, noise);
   Simulation simulation(scenario, kStart, seed);
   SimulatedDrive drive;

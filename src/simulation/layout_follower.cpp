@@ -52,6 +52,13 @@ class LayoutFollower::Impl {
     return halt();
   }
 
+  void begin_again() {
+    step_ = 0;
+    step_begin_.reset();
+    tracking_.reset();
+    halts_.clear();
+  }
+
   bool done() const { return step_ == layout_.steps.size(); }
   const std::vector<Halt>& halts() const { return halts_; }
   double cross_track() const { return tracking_ ? tracking_->cross_track() : 0.0; }
@@ -122,6 +129,7 @@ LayoutFollower& LayoutFollower::operator=(LayoutFollower&&) noexcept = default;
 
 WheelCommand LayoutFollower::next(const VehicleMotion& motion) { return impl_->next(motion); }
 bool LayoutFollower::done() const { return impl_->done(); }
+void LayoutFollower::begin_again() { impl_->begin_again(); }
 const std::vector<Halt>& LayoutFollower::halts() const { return impl_->halts(); }
 double LayoutFollower::cross_track() const { return impl_->cross_track(); }
 

@@ -31,13 +31,28 @@ struct LayoutDrive {
   double cross_track_rmse = 0.0;        ///< of the path, by the vehicle's own pose, driving [m]
 };
 
+/// What a vehicle on a layout took in.
+struct LayoutScan {
+  const LocalizerReport& report;  ///< after the scan
+  Pose2 world_T_base;             ///< the truth at its stamp
+  double seconds = 0.0;           ///< that Localizer::add_scan() took, of the machine's time
+};
+
+/// How often, and for how long.
+struct LayoutRepetition {
+  int rounds = 1;
+  double most_seconds = 1e9;  ///< of the vehicle's time; where this is over the drive ends
+};
+
 /// A simulated vehicle that drives by what it sees: its encoders and scans go to a Localizer, whose
 /// pose leads it along the layout. It takes itself for `believed`, whatever it is. An operator
 /// tells it where it stands at the beginning, to 5 cm and one degree. It gives up when it has not
 /// known where it is for half a minute.
 LayoutDrive drive_layout(
     const Scenario& scenario, const Layout& layout, const VehicleCalibration& believed,
-    LocalizerParams params, const OdometryNoise& noise, const LandmarkMap& map, std::uint64_t seed,
-    const std::function<void()>& step = [] {});
+    const LocalizerParams& params, const OdometryNoise& noise, const LandmarkMap& map,
+    std::uint64_t seed, const LayoutRepetition& repetition = {},
+    const std::function<void(const LayoutScan&)>& observe = [](const LayoutScan&) {},
+    const std::function<void(const HaltingPoint&)>& halted = [](const HaltingPoint&) {});
 
 }  // namespace falko_slam

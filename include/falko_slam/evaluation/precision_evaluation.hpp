@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +32,7 @@ struct PrecisionParams {
   LocalizerParams localizer;
   OdometryNoise odometry;
   std::uint64_t seed = 1;
+  int rounds = 1;  ///< of the layout
 };
 
 /// What one vehicle did.
@@ -46,10 +46,9 @@ struct PrecisionRun {
 /// Calibrates the vehicle as the action does, each in a hall of its own, then lets it drive the
 /// layout in the plant by its own pose. `number`: of the vehicle, for its noise. Without a
 /// calibration it does not drive.
-PrecisionRun evaluate_precision(
-    const PrecisionVehicle& vehicle, std::size_t number, const Scenario& plant,
-    const Layout& layout, const LandmarkMap& map, const PrecisionParams& params,
-    const std::function<void()>& step = [] {});
+PrecisionRun evaluate_precision(const PrecisionVehicle& vehicle, std::size_t number,
+                                const Scenario& plant, const Layout& layout, const LandmarkMap& map,
+                                const PrecisionParams& params);
 
 /// A halting point as Tables 5.4 and 5.5 have it: in a frame whose origin is the mean of where the
 /// calibrated vehicles halted there, the x axis as they should head.

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "falko_slam/calibration/vehicle_calibration.hpp"
 #include "falko_slam/geometry/pose_estimate.hpp"
 #include "falko_slam/geometry/trajectory.hpp"
 #include "falko_slam/sensor/laser_scan.hpp"
@@ -25,6 +27,10 @@ struct CalibrationSpread {
   double laser_y = 6e-4;            ///< [m]
   double laser_heading = 1.745e-4;  ///< [rad]
 };
+
+/// The true parameters, each with an error of its own.
+VehicleCalibration drawn_calibration(const VehicleModel& truth, const CalibrationSpread& spread,
+                                     std::mt19937_64& random);
 
 /// What came in, in the order in which a vehicle sends it.
 struct DriveInputEvent {

@@ -63,6 +63,9 @@ class LayoutFollower {
   WheelCommand next(const VehicleMotion& motion);
 
   bool done() const;
+  /// From the first step on once more; its path begins where the last one ended. Halts are
+  /// forgotten.
+  void begin_again();
   /// All until now, those without a name included.
   const std::vector<Halt>& halts() const;
   /// Of the path to where it is [m], positive: to the left of it; 0 while it waits.
