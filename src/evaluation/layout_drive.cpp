@@ -128,7 +128,7 @@ class LedVehicle {
   MotionSource motions_;
   Localizer localizer_;
   LayoutFollower follower_;
-  VehicleMotion motion_;
+  PosedMotion motion_;
   Time posed_{};
   std::size_t seen_ = 0;
   Pose2 before_;  // the truth when the last motion ended

@@ -37,7 +37,7 @@ class LayoutFollower::Impl {
     if (layout_.steps.empty()) throw std::invalid_argument("layout: it has no steps");
   }
 
-  WheelCommand next(const VehicleMotion& motion) {
+  WheelCommand next(const PosedMotion& motion) {
     remember_motion(motion);
     while (!done()) {
       const LayoutStep& step = layout_.steps[step_];
@@ -66,17 +66,17 @@ class LayoutFollower::Impl {
  private:
   WheelCommand halt() const { return {0.0, steering_}; }
 
-  void remember_motion(const VehicleMotion& motion) {
+  void remember_motion(const PosedMotion& motion) {
     if (std::abs(motion.speed) > kStands || !stands_since_) stands_since_ = motion.stamp;
   }
 
-  std::optional<WheelCommand> await(const WaitStep& wait, const VehicleMotion& motion) {
+  std::optional<WheelCommand> await(const WaitStep& wait, const PosedMotion& motion) {
     if (!step_begin_) step_begin_ = motion.stamp;
     if (motion.stamp - *step_begin_ >= from_seconds(wait.seconds)) return std::nullopt;
     return halt();
   }
 
-  std::optional<WheelCommand> follow(const FollowStep& step, const VehicleMotion& motion) {
+  std::optional<WheelCommand> follow(const FollowStep& step, const PosedMotion& motion) {
     if (!motion.map_T_base) return halt();
     if (!tracking_) begin_path(step, motion);
     tracking_->move_to(*motion.map_T_base);
@@ -90,7 +90,7 @@ class LayoutFollower::Impl {
     return std::nullopt;
   }
 
-  void begin_path(const FollowStep& step, const VehicleMotion& motion) {
+  void begin_path(const FollowStep& step, const PosedMotion& motion) {
     const Eigen::Vector2d begin = path_end_.value_or(motion.map_T_base->translation());
     tracking_.emplace(step, params_, begin);
     path_end_ = tracking_->map_T_end().translation();
@@ -98,7 +98,7 @@ class LayoutFollower::Impl {
   }
 
   // The wheel goes farther than the rear axle, and its offset is in what it is told.
-  WheelCommand along(const FollowStep& step, const VehicleMotion& motion) {
+  WheelCommand along(const FollowStep& step, const PosedMotion& motion) {
     const double curvature = tracking_->curvature(std::abs(motion.speed));
     const double wanted = std::atan(params_.tricycle.wheelbase * curvature);
     const double angle = std::clamp(wanted, -params_.max_steering, params_.max_steering);
@@ -127,7 +127,7 @@ LayoutFollower::~LayoutFollower() = default;
 LayoutFollower::LayoutFollower(LayoutFollower&&) noexcept = default;
 LayoutFollower& LayoutFollower::operator=(LayoutFollower&&) noexcept = default;
 
-WheelCommand LayoutFollower::next(const VehicleMotion& motion) { return impl_->next(motion); }
+WheelCommand LayoutFollower::next(const PosedMotion& motion) { return impl_->next(motion); }
 bool LayoutFollower::done() const { return impl_->done(); }
 void LayoutFollower::begin_again() { impl_->begin_again(); }
 const std::vector<Halt>& LayoutFollower::halts() const { return impl_->halts(); }

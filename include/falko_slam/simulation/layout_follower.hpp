@@ -26,7 +26,7 @@ struct LayoutFollowerParams {
 void validate(const LayoutFollowerParams& params);
 
 /// What a vehicle knows of itself.
-struct VehicleMotion {
+struct PosedMotion {
   Time stamp{};
   std::optional<Pose2> map_T_base;  ///< as a localizer has it; empty: it does not know
   double speed = 0.0;               ///< of base_link along its x axis [m/s]
@@ -60,7 +60,7 @@ class LayoutFollower {
   LayoutFollower& operator=(LayoutFollower&&) noexcept;
 
   /// What the wheel should do now; motions come in the order of their stamps.
-  WheelCommand next(const VehicleMotion& motion);
+  WheelCommand next(const PosedMotion& motion);
 
   bool done() const;
   /// From the first step on once more; its path begins where the last one ended. Halts are
