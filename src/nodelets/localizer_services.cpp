@@ -50,7 +50,8 @@ void LocalizerNodelet::forget_way() {
 }
 
 std::string LocalizerNodelet::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  if (!newest_) throw std::invalid_argument("nothing has come on " + motions_->topic() + " yet");
+  if (!newest_)
+    throw std::invalid_argument("nothing has come on " + motions_->topic().name + " yet");
   const PoseEstimate pose = from_message(message, params_.map_frame, params_.initial_pose);
   const Time present = now();
   const Time stamp = message.header.stamp.isZero() ? present : from_ros(message.header.stamp);
