@@ -113,10 +113,11 @@ void LocalizerNodelet::save_pose() {
     if (!folder.empty()) std::filesystem::create_directories(folder);
     write_saved_pose(params_.pose_file, {state.stamp, *state.map_T_base, map_identity_});
     diagnostics_->note_pose_file(params_.pose_file);
+    diagnostics_->warn_of_pose_file("");
   } catch (const std::exception& error) {
     constexpr double kWarningPeriod = 60.0;  // [s]
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "the pose is not saved: " << error.what());
-    diagnostics_->note_pose_file(std::string("not written: ") + error.what());
+    diagnostics_->warn_of_pose_file(std::string("the pose is not saved: ") + error.what());
   }
 }
 

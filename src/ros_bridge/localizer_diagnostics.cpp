@@ -53,6 +53,7 @@ void LocalizerDiagnostics::summarize(DiagnosticStatusWrapper& status, double now
   warn(scans_.watch.trouble(now));
   warn(mount_);
   warn(odometry_);
+  warn(pose_file_trouble_);
   if (!state.map_T_base) return;
   const Eigen::Vector3d deviations = deviations_of(*state.map_T_base);
   const double position = std::max(deviations(0), deviations(1));

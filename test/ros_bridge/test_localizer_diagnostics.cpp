@@ -51,9 +51,11 @@ TEST_F(LocalizerDiagnosis, CarriesWarningsUntilTheyAreTakenBack) {
   diagnostics_.scanned(101.0, 0.001);
   diagnostics_.warn_of_mount("another mount");
   diagnostics_.warn_of_odometry("no odometry");
-  EXPECT_EQ(at(101.5).message, "another mount; no odometry");
+  diagnostics_.warn_of_pose_file("no space");
+  EXPECT_EQ(at(101.5).message, "another mount; no odometry; no space");
   diagnostics_.warn_of_mount("");
   diagnostics_.warn_of_odometry("");
+  diagnostics_.warn_of_pose_file("");
   EXPECT_EQ(at(101.5).message, "localized: ok");
 }
 

@@ -41,6 +41,7 @@ class LocalizerDiagnostics {
   /// Additional warnings that stay until the next call; "" for none.
   void warn_of_mount(const std::string& warning) { mount_ = warning; }
   void warn_of_odometry(const std::string& warning) { odometry_ = warning; }
+  void warn_of_pose_file(const std::string& warning) { pose_file_trouble_ = warning; }
   void note_pose_file(const std::string& text) { pose_file_ = text; }
 
   void report(diagnostic_updater::DiagnosticStatusWrapper& status, double now,
@@ -60,7 +61,7 @@ class LocalizerDiagnostics {
   Input motions_, scans_;
   double last_report_;
   std::size_t unusable_ = 0, refused_ = 0;
-  std::string fault_, mount_, odometry_, pose_file_ = "none";
+  std::string fault_, mount_, odometry_, pose_file_trouble_, pose_file_ = "none";
   double busy_ = 0.0, longest_ = 0.0;  // on scans, since the last report [s]
 };
 
