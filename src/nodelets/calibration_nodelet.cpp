@@ -20,6 +20,8 @@ namespace {
 constexpr std::uint32_t kQueue = 100;
 constexpr double kWarningPeriod = 5.0;  // [s]
 
+double steady_now() { return ros::SteadyTime::now().toSec(); }
+
 }  // namespace
 
 CalibrationNodelet::~CalibrationNodelet() {
@@ -73,6 +75,11 @@ void CalibrationNodelet::start_listening() {
   } else {
     scans_ = node.subscribe(topics::kScan, kQueue, &CalibrationNodelet::on_scan, this);
   }
+  const HeardTopic scans = params_.session.recorder.egomotion == EgomotionSource::kReflectors
+                               ? heard_topic<ReflectorArray>(scans_.getTopic())
+                               : heard_topic<sensor_msgs::LaserScan>(scans_.getTopic());
+  encoder_watch_ = std::make_unique<TopicWatch>(encoders_->topic(), steady_now());
+  scan_watch_ = std::make_unique<TopicWatch>(scans, steady_now());
 }
 
 void CalibrationNodelet::start_serving() {
@@ -100,6 +107,7 @@ void CalibrationNodelet::start_serving() {
 
 void CalibrationNodelet::on_reading(const EncoderReading& reading) {
   ++readings_;
+  encoder_watch_->heard(steady_now());
   if (!session_) return;
   session_->add(reading);
   markers_->add_pose(reading.stamp, session_->driver().start_T_base());
@@ -107,6 +115,7 @@ void CalibrationNodelet::on_reading(const EncoderReading& reading) {
 
 void CalibrationNodelet::on_reflectors(const ReflectorArray& message) {
   ++scan_count_;
+  scan_watch_->heard(steady_now());
   if (!session_) return;
   const ReflectorObservation observation = from_message(message);
   session_->add(observation);
@@ -115,6 +124,7 @@ void CalibrationNodelet::on_reflectors(const ReflectorArray& message) {
 
 void CalibrationNodelet::on_scan(const sensor_msgs::LaserScan& message) {
   ++scan_count_;
+  scan_watch_->heard(steady_now());
   if (!session_) return;
   const ScanReport report = normalize(as_raw_scan(message), params_.scan, scan_.scan);
   if (report.usable()) return session_->add(scan_);
@@ -123,14 +133,10 @@ void CalibrationNodelet::on_scan(const sensor_msgs::LaserScan& message) {
 
 void CalibrationNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const bool deaf = readings_ == 0 || scan_count_ == 0;
-  const std::string silent = readings_ == 0     ? encoders_->topic()
-                             : scan_count_ == 0 ? scans_.getTopic()
-                                                : "";
-  if (deaf) {
-    status.summary(DiagnosticStatus::WARN, "nothing on " + silent);
-  } else {
-    status.summary(DiagnosticStatus::OK, session_ ? "calibrating" : last_result_);
+  status.summary(DiagnosticStatus::OK, session_ ? "calibrating" : last_result_);
+  for (TopicWatch* watch : {encoder_watch_.get(), scan_watch_.get()}) {
+    const std::string trouble = watch->trouble(steady_now());
+    if (!trouble.empty()) status.mergeSummary(DiagnosticStatus::WARN, trouble);
   }
   if (session_) {
     const CalibrationProgress progress = session_->driver().progress();

@@ -98,6 +98,7 @@ class CalibrationNodelet : public nodelet::Nodelet {
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::Publisher commands_, marker_publisher_;
   std::unique_ptr<EncoderInput> encoders_;
+  std::unique_ptr<TopicWatch> encoder_watch_, scan_watch_;
   ros::Subscriber scans_;
   ros::ServiceServer compute_;
   ros::Timer control_timer_;

@@ -19,6 +19,7 @@ EncoderInput::EncoderInput(ros::NodeHandle node, const VehicleParams& vehicle,
     subscriber_ = node.subscribe<TricycleEncoders>(
         topics::kEncoders, kQueue,
         [received](const TricycleEncodersConstPtr& message) { received(from_message(*message)); });
+    topic_ = heard_topic<TricycleEncoders>(subscriber_.getTopic());
     return;
   }
   subscriber_ = node.subscribe<sensor_msgs::JointState>(
@@ -28,6 +29,7 @@ EncoderInput::EncoderInput(ros::NodeHandle node, const VehicleParams& vehicle,
         ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "joint state without usable positions of "
                                                      << kDriveJoint << " and " << kSteerJoint);
       });
+  topic_ = heard_topic<sensor_msgs::JointState>(subscriber_.getTopic());
 }
 
 }  // namespace falko_slam

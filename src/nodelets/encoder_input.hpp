@@ -4,10 +4,9 @@
 
 #include <ros/ros.h>
 
-#include <cstddef>
 #include <functional>
-#include <string>
 
+#include "falko_slam/ros_bridge/topic_watch.hpp"
 #include "falko_slam/ros_bridge/vehicle_params.hpp"
 
 namespace falko_slam {
@@ -18,11 +17,11 @@ class EncoderInput {
   EncoderInput(ros::NodeHandle node, const VehicleParams& vehicle,
                std::function<void(const EncoderReading&)> received);
 
-  std::string topic() const { return subscriber_.getTopic(); }
-  std::size_t publishers() const { return subscriber_.getNumPublishers(); }
+  const HeardTopic& topic() const { return topic_; }
 
  private:
   ros::Subscriber subscriber_;
+  HeardTopic topic_;
 };
 
 }  // namespace falko_slam

@@ -30,7 +30,10 @@ void KeypointDetectorNodelet::onInit() {
   markers_ = node.advertise<visualization_msgs::MarkerArray>(topics::kFeatureMarkers, kOutputQueue);
   cloud_ = node.advertise<pcl::PointCloud<pcl::PointXYZI>>(topics::kKeypointCloud, kOutputQueue);
 
-  diagnostics_ = std::make_unique<ScanDiagnostics>(node.resolveName(topics::kScan));
+  diagnostics_ = std::make_unique<ScanDiagnostics>(
+      TopicWatch(heard_topic<sensor_msgs::LaserScan>(node.resolveName(topics::kScan)),
+                 steady_now()),
+      steady_now());
   updater_ = std::make_unique<diagnostic_updater::Updater>(node, getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");
   updater_->add("keypoint detection", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -88,10 +88,6 @@ void LocalizerNodelet::load_map() {
   transform.tolerance = params_.transform_tolerance;
   transform.timeout = params_.localizer.monitor.lost_silence;
   transform_ = std::make_unique<MapTransform>(transform);
-  diagnostics_ = std::make_unique<LocalizerDiagnostics>(
-      LocalizerDiagnosticsParams{params_.input_timeout, params_.warn_position,
-                                 params_.warn_heading},
-      steady_now());
 }
 
 // Reflectors of another size are not found, or in the wrong place.
@@ -138,8 +134,20 @@ void LocalizerNodelet::start_listening() {
   } else {
     sights_ = node.subscribe(topics::kReflectors, kQueue, &LocalizerNodelet::on_reflectors, this);
   }
+  start_watching();
   initial_poses_ =
       node.subscribe(topics::kInitialPose, kQueue, &LocalizerNodelet::on_initial_pose, this);
+}
+
+void LocalizerNodelet::start_watching() {
+  const double now = steady_now();
+  const HeardTopic sights = params_.sight_source == SightSource::kScan
+                                ? heard_topic<sensor_msgs::LaserScan>(sights_.getTopic())
+                                : heard_topic<ReflectorArray>(sights_.getTopic());
+  diagnostics_ = std::make_unique<LocalizerDiagnostics>(
+      LocalizerDiagnosticsParams{params_.warn_position, params_.warn_heading},
+      TopicWatch(motions_->topic(), now, params_.input_timeout),
+      TopicWatch(sights, now, params_.input_timeout), now);
 }
 
 void LocalizerNodelet::start_serving() {
@@ -178,7 +186,7 @@ void LocalizerNodelet::on_motion(const VehicleMotion& motion) {
   const LocalizerReport& state = localizer_->state();
   if (!state.map_T_base) return placed_.clear();
   placed_.push_back({state.stamp, state.map_T_base->pose, motion.odom_T_base});
-  if (placed_.size() > kQueue) placed_.pop_front();
+  if (placed_.size() > kMotionsKept) placed_.pop_front();
   publish_motion();
 }
 
@@ -194,7 +202,7 @@ void LocalizerNodelet::on_scan(const sensor_msgs::LaserScan& message) {
   const double began = steady_now();
   const ScanReport usable = normalize(as_raw_scan(message), params_.scan, scan_);
   if (!usable.usable()) {
-    diagnostics_->unusable(usable);
+    diagnostics_->unusable(steady_now(), usable);
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "unusable scan: " << describe(usable));
     return;
   }

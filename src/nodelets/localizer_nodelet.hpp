@@ -46,12 +46,15 @@ class LocalizerNodelet : public nodelet::Nodelet {
     std::optional<Pose2> odom_T_base;  ///< empty: tf knows
   };
 
+  static constexpr std::size_t kMotionsKept = 100;
+
   void onInit() override;
   void load_parameters();
   void load_map();
   void warn_of_diameters();
   void start_publishing();
   void start_listening();
+  void start_watching();
   void start_serving();
 
   void on_motion(const VehicleMotion& motion);

@@ -68,8 +68,13 @@ void LocalizerNodelet::place_map() {
     }
     if (!odom_T_base) continue;
     transform_->set(placed->map_T_base * odom_T_base->inverse(), *odom_T_base, ros::Time::now());
-    return;
+    return diagnostics_->warn_of_odometry("");
   }
+  // Of all the motions that are kept none is known: tf does not merely lag behind.
+  if (placed_.size() < kMotionsKept) return;
+  diagnostics_->warn_of_odometry("no transform from " + params_.base_frame + " to " +
+                                 params_.odom_frame + " at the stamps of the motions: tf " +
+                                 params_.map_frame + " -> " + params_.odom_frame + " is not sent");
 }
 
 // The calibration counts, but somebody may have forgotten to give it.
@@ -89,14 +94,12 @@ void LocalizerNodelet::check_mount(const std::string& laser_frame) {
   std::string warning;
   if (turned) warning = "tf and parameter scan/upside_down do not agree on how the laser hangs";
   if (moved) warning = "tf and the parameters of the vehicle do not agree on where the laser is";
-  diagnostics_->warn(warning);
+  diagnostics_->warn_of_mount(warning);
   if (!warning.empty()) NODELET_WARN_STREAM(warning << " (" << laser_frame << ")");
 }
 
 void LocalizerNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  diagnostics_->report(status, ros::SteadyTime::now().toSec(), localizer_->state(),
-                       {motions_->topic(), motions_->publishers()},
-                       {sights_.getTopic(), sights_.getNumPublishers()});
+  diagnostics_->report(status, ros::SteadyTime::now().toSec(), localizer_->state());
 }
 
 }  // namespace falko_slam

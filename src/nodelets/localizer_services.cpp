@@ -50,7 +50,8 @@ void LocalizerNodelet::forget_way() {
 }
 
 std::string LocalizerNodelet::take(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  if (!newest_) throw std::invalid_argument("nothing has come on " + motions_->topic() + " yet");
+  if (!newest_)
+    throw std::invalid_argument("nothing has come on " + motions_->topic().name + " yet");
   const PoseEstimate pose = from_message(message, params_.map_frame, params_.initial_pose);
   const Time present = now();
   const Time stamp = message.header.stamp.isZero() ? present : from_ros(message.header.stamp);
@@ -112,10 +113,11 @@ void LocalizerNodelet::save_pose() {
     if (!folder.empty()) std::filesystem::create_directories(folder);
     write_saved_pose(params_.pose_file, {state.stamp, *state.map_T_base, map_identity_});
     diagnostics_->note_pose_file(params_.pose_file);
+    diagnostics_->warn_of_pose_file("");
   } catch (const std::exception& error) {
     constexpr double kWarningPeriod = 60.0;  // [s]
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "the pose is not saved: " << error.what());
-    diagnostics_->note_pose_file(std::string("not written: ") + error.what());
+    diagnostics_->warn_of_pose_file(std::string("the pose is not saved: ") + error.what());
   }
 }
 

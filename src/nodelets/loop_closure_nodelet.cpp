@@ -36,7 +36,9 @@ void LoopClosureNodelet::onInit() {
   load_parameters();
   load_database();
   loop_markers_ = std::make_unique<LoopMarkers>(params_.odom_frame);
-  diagnostics_ = std::make_unique<LoopDiagnostics>(getNodeHandle().resolveName(topics::kScan));
+  diagnostics_ = std::make_unique<LoopDiagnostics>(
+      TopicWatch(heard_topic<sensor_msgs::LaserScan>(getNodeHandle().resolveName(topics::kScan)),
+                 steady_now()));
   start_publishing();
   if (!memory_->records().empty()) announce_reset();
   start_listening();

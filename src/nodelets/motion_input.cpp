@@ -33,12 +33,9 @@ MotionInput::MotionInput(const ros::NodeHandle& node, const LocalizerNodeParams&
   }
 }
 
-std::string MotionInput::topic() const {
-  return encoders_ ? encoders_->topic() : odometry_messages_.getTopic();
-}
-
-std::size_t MotionInput::publishers() const {
-  return encoders_ ? encoders_->publishers() : odometry_messages_.getNumPublishers();
+HeardTopic MotionInput::topic() const {
+  return encoders_ ? encoders_->topic()
+                   : heard_topic<nav_msgs::Odometry>(odometry_messages_.getTopic());
 }
 
 // A stamp that is a little early is a slip, and left out; after one that is long ago a clock has
@@ -85,7 +82,7 @@ PoseEstimate MotionInput::motion_of(const Pose2& motion) const {
 void MotionInput::on_odometry(const nav_msgs::OdometryConstPtr& message) {
   const std::string base = tf_frame(message->child_frame_id);
   if (!base.empty() && base != params_.base_frame) {
-    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "odometry of " << base << " on " << topic()
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "odometry of " << base << " on " << topic().name
                                                             << ", not of " << params_.base_frame
                                                             << ": it is not used");
     return;
@@ -95,7 +92,8 @@ void MotionInput::on_odometry(const nav_msgs::OdometryConstPtr& message) {
   moved.odom_T_base = in_plane(message->pose.pose);
   moved.velocity = {message->twist.twist.linear.x, message->twist.twist.angular.z};
   if (!moved.odom_T_base->translation().allFinite() || !std::isfinite(moved.odom_T_base->theta())) {
-    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "odometry on " << topic() << " that is not finite");
+    ROS_WARN_STREAM_THROTTLE(kWarningPeriod,
+                             "odometry on " << topic().name << " that is not finite");
     return;
   }
   if (last_stamp_ && moved.stamp <= *last_stamp_) {

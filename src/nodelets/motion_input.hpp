@@ -35,8 +35,7 @@ class MotionInput {
   };
   MotionInput(const ros::NodeHandle& node, const LocalizerNodeParams& params, Listener listener);
 
-  std::string topic() const;
-  std::size_t publishers() const;
+  HeardTopic topic() const;
 
  private:
   void on_reading(const EncoderReading& reading);

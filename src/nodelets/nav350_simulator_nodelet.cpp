@@ -44,6 +44,8 @@ void Nav350SimulatorNodelet::onInit() {
   if (commands_) {
     drive_commands_ =
         node.subscribe(topics::kDriveCommand, kQueue, &Nav350SimulatorNodelet::on_command, this);
+    command_watch_ = std::make_unique<TopicWatch>(
+        heard_topic<DriveCommand>(drive_commands_.getTopic()), ros::SteadyTime::now().toSec());
   }
   reset_ = getPrivateNodeHandle().advertiseService(topics::kReset,
                                                    &Nav350SimulatorNodelet::on_reset, this);

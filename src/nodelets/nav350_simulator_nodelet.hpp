@@ -19,6 +19,7 @@
 
 #include "falko_slam/ros_bridge/simulation_messages.hpp"
 #include "falko_slam/ros_bridge/simulation_node_params.hpp"
+#include "falko_slam/ros_bridge/topic_watch.hpp"
 #include "falko_slam/simulation/commanded_driver.hpp"
 
 namespace falko_slam {
@@ -54,6 +55,7 @@ class Nav350SimulatorNodelet : public nodelet::Nodelet {
   void on_command(const DriveCommandConstPtr& message);
   bool on_reset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void report_commands(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   SimulationNodeParams params_;
   bool is_clock_ = false;
@@ -77,6 +79,7 @@ class Nav350SimulatorNodelet : public nodelet::Nodelet {
   ros::Publisher scans_, reflectors_, encoders_, joints_, odometry_, truth_, true_path_, markers_,
       clock_;
   ros::Subscriber drive_commands_;
+  std::unique_ptr<TopicWatch> command_watch_;  // guarded, too
   ros::ServiceServer reset_;
   ros::WallTimer diagnostics_timer_;
   std::thread thread_;

@@ -54,6 +54,7 @@ void Nav350SimulatorNodelet::publish_slowly(const geometry_msgs::PoseStamped& tr
 
 void Nav350SimulatorNodelet::on_command(const DriveCommandConstPtr& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  command_watch_->heard(ros::SteadyTime::now().toSec());
   try {
     commands_->command({message->wheel_speed, message->steering}, simulation_->time());
   } catch (const std::invalid_argument& error) {
@@ -70,15 +71,21 @@ bool Nav350SimulatorNodelet::on_reset(std_srvs::Trigger::Request&,
   return true;
 }
 
+// A vehicle may stand without anybody who leads it, but not for want of the right messages.
+void Nav350SimulatorNodelet::report_commands(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  const std::string trouble = command_watch_->trouble(ros::SteadyTime::now().toSec());
+  if (commands_->is_led(simulation_->time())) return;
+  const bool wrong = command_watch_->cause() == SilenceCause::kWrongType;
+  status.summary(
+      wrong ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+      "nobody leads it: it halts" + (trouble.empty() ? "" : "; " + trouble));
+}
+
 void Nav350SimulatorNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   status.summary(diagnostic_msgs::DiagnosticStatus::OK, "running");
   if (drive_is_over_) status.summary(diagnostic_msgs::DiagnosticStatus::OK, "the drive is over");
-  if (commands_ && !commands_->is_led(simulation_->time())) {
-    status.summary(
-        diagnostic_msgs::DiagnosticStatus::OK,
-        "no command on " + getNodeHandle().resolveName(topics::kDriveCommand) + ": it halts");
-  }
+  if (command_watch_) report_commands(status);
   if (seconds_late_ > to_seconds(period_)) {
     status.summary(diagnostic_msgs::DiagnosticStatus::WARN, "slower than real time");
   }

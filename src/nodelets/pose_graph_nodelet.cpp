@@ -88,8 +88,10 @@ void PoseGraphNodelet::load_first_state() {
   transform.timeout = params_.scan_timeout;
   if (params_.use_odometry) transform.slew = params_.slew;
   transform_ = std::make_unique<MapTransform>(transform);
-  diagnostics_ = std::make_unique<SlamDiagnostics>(getNodeHandle().resolveName(topics::kScan),
-                                                   params_.use_odometry, params_.scan_timeout);
+  diagnostics_ = std::make_unique<SlamDiagnostics>(
+      TopicWatch(heard_topic<sensor_msgs::LaserScan>(getNodeHandle().resolveName(topics::kScan)),
+                 ros::SteadyTime::now().toSec()),
+      params_.use_odometry, params_.scan_timeout);
   if (slam_->keyframes() == 0) return;
   diagnostics_->restarted(slam_->keyframes());
   view_changes_ = map_changes_ = {true, true, true};

@@ -18,6 +18,8 @@ constexpr std::uint32_t kQueue = 100;
 constexpr double kWarningPeriod = 5.0;                         // [s]
 constexpr Duration kClockTolerance = std::chrono::seconds(1);  // stamps may step back by this
 
+double steady_now() { return ros::SteadyTime::now().toSec(); }
+
 }  // namespace
 
 void TricycleOdometryNodelet::onInit() {
@@ -27,6 +29,9 @@ void TricycleOdometryNodelet::onInit() {
   encoders_ = std::make_unique<EncoderInput>(
       getNodeHandle(), params_.vehicle,
       [this](const EncoderReading& reading) { on_reading(reading); });
+  watch_ = std::make_unique<TopicWatch>(encoders_->topic(), steady_now(), params_.encoder_timeout);
+  updater_->add("odometry",
+                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
 }
 
 void TricycleOdometryNodelet::load_parameters() {
@@ -58,15 +63,13 @@ void TricycleOdometryNodelet::start_publishing() {
   }
   updater_ = std::make_unique<diagnostic_updater::Updater>(node, getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");
-  updater_->add("odometry",
-                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
   diagnostics_timer_ = node.createWallTimer(
       ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_->force_update(); });
 }
 
 void TricycleOdometryNodelet::on_reading(const EncoderReading& reading) {
   ++readings_;
-  last_received_ = ros::SteadyTime::now();
+  watch_->heard(steady_now());
   const Pose2 before = odometry_->odom_T_base();
   const OdometryStep step = odometry_->add(reading);
   switch (step.verdict) {
@@ -123,12 +126,9 @@ void TricycleOdometryNodelet::publish(const OdometryStep& step, const EncoderRea
 
 void TricycleOdometryNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const bool silent = (ros::SteadyTime::now() - last_received_).toSec() > params_.encoder_timeout;
-  if (silent) {
-    status.summary(DiagnosticStatus::WARN, "nothing on " + encoders_->topic());
-  } else {
-    status.summary(DiagnosticStatus::OK, "running");
-  }
+  status.summary(DiagnosticStatus::OK, "running");
+  const std::string trouble = watch_->trouble(steady_now());
+  if (!trouble.empty()) status.summary(DiagnosticStatus::WARN, trouble);
   status.add("readings", readings_);
   status.add("readings left out, not later than the one before", late_);
   status.add("jumps of the counter", jumps_);

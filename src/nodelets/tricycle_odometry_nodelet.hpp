@@ -35,7 +35,7 @@ class TricycleOdometryNodelet : public nodelet::Nodelet {
   std::unique_ptr<TricycleOdometry> odometry_;
   PoseEstimate odom_T_base_;
   std::size_t readings_ = 0, jumps_ = 0, late_ = 0;
-  ros::SteadyTime last_received_;
+  std::unique_ptr<TopicWatch> watch_;
 
   std::unique_ptr<tf2_ros::TransformBroadcaster> transforms_;
   std::unique_ptr<tf2_ros::StaticTransformBroadcaster> static_transforms_;

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "marker_list.hpp"
 
 namespace falko_slam {
 namespace {
@@ -22,27 +23,13 @@ bool far_from(const Pose2& a, const Pose2& b) {
          std::abs(angle_between(a.theta(), b.theta())) > kTurn;
 }
 
-geometry_msgs::Point point_at(const Eigen::Vector2d& position) {
-  geometry_msgs::Point point;
-  point.x = position.x();
-  point.y = position.y();
-  return point;
-}
-
-Marker marker_of(const char* name, std::int32_t type, double scale, float red, float green,
-                 float blue) {
-  Marker marker;
-  marker.ns = name;
-  marker.type = type;
-  marker.pose.orientation.w = 1.0;
-  marker.scale.x = marker.scale.y = scale;
-  marker.scale.z = type == Marker::CYLINDER || type == Marker::SPHERE_LIST ? scale : 0.0;
-  marker.color.r = red;
-  marker.color.g = green;
-  marker.color.b = blue;
-  marker.color.a = 1.0F;
-  return marker;
-}
+constexpr MarkerLook kPlanned{"planned", 0.85F, 0.85F, 0.75F, 1.0F, 0.03};
+constexpr MarkerLook kDriven{"driven", 0.2F, 0.5F, 1.0F, 1.0F, 0.05};
+constexpr MarkerLook kReflectors{"reflectors", 0.8F, 0.2F, 0.9F, 1.0F, 0.25};
+// By CalibrationMarkers::Arrow::Kind.
+constexpr MarkerLook kResiduals[] = {{"residuals", 1.0F, 0.6F, 0.1F, 1.0F, 0.06},
+                                     {"residuals", 0.1F, 0.8F, 0.2F, 1.0F, 0.06},
+                                     {"residuals", 1.0F, 0.1F, 0.1F, 1.0F, 0.06}};
 
 // Head and shaft of an arrow, as line segments.
 void add_arrow(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Marker& lines) {
@@ -50,8 +37,8 @@ void add_arrow(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Marker& l
   const Eigen::Vector2d across(-0.5 * back.y(), 0.5 * back.x());
   for (const Eigen::Vector2d& end :
        {from, Eigen::Vector2d(to + back + across), Eigen::Vector2d(to + back - across)}) {
-    lines.points.push_back(point_at(end));
-    lines.points.push_back(point_at(to));
+    add_point(lines, end);
+    add_point(lines, to);
   }
 }
 
@@ -115,19 +102,16 @@ void CalibrationMarkers::set_result(const RecordedCalibration& calibration) {
 }
 
 visualization_msgs::MarkerArray CalibrationMarkers::markers(const std_msgs::Header& header) const {
-  Marker planned = marker_of("planned", Marker::LINE_STRIP, 0.03, 0.85F, 0.85F, 0.75F);
-  for (const Pose2& pose : planned_) planned.points.push_back(point_at(pose.translation()));
-  Marker driven = marker_of("driven", Marker::LINE_STRIP, 0.05, 0.2F, 0.5F, 1.0F);
-  for (const Passed& passed : driven_) {
-    driven.points.push_back(point_at(passed.odom_T_base.translation()));
+  Marker planned = marker_of(kPlanned, Marker::LINE_STRIP, header);
+  for (const Pose2& pose : planned_) add_point(planned, pose.translation());
+  Marker driven = marker_of(kDriven, Marker::LINE_STRIP, header);
+  for (const Passed& passed : driven_) add_point(driven, passed.odom_T_base.translation());
+  Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);
+  for (const Eigen::Vector2d& reflector : reflectors_) add_point(reflectors, reflector);
+  std::vector<Marker> kinds;
+  for (const MarkerLook& look : kResiduals) {
+    kinds.push_back(marker_of(look, Marker::LINE_LIST, header));
   }
-  Marker reflectors = marker_of("reflectors", Marker::SPHERE_LIST, 0.25, 0.8F, 0.2F, 0.9F);
-  for (const Eigen::Vector2d& reflector : reflectors_) {
-    reflectors.points.push_back(point_at(reflector));
-  }
-  Marker kinds[] = {marker_of("residuals", Marker::LINE_LIST, 0.06, 1.0F, 0.6F, 0.1F),
-                    marker_of("residuals", Marker::LINE_LIST, 0.06, 0.1F, 0.8F, 0.2F),
-                    marker_of("residuals", Marker::LINE_LIST, 0.06, 1.0F, 0.1F, 0.1F)};
   for (const std::optional<Arrow>& arrow : arrows_) {
     if (!arrow) continue;
     const Pose2 end = arrow->odom_T_laser;
@@ -138,12 +122,9 @@ visualization_msgs::MarkerArray CalibrationMarkers::markers(const std_msgs::Head
               kinds[static_cast<std::size_t>(arrow->kind)]);
   }
   visualization_msgs::MarkerArray array;
-  array.markers = {planned, driven, reflectors, kinds[0], kinds[1], kinds[2]};
-  std::int32_t id = 0;
-  for (Marker& marker : array.markers) {
-    marker.header = header;
-    marker.id = id++;
-    marker.action = marker.points.empty() ? Marker::DELETE : Marker::ADD;
+  for (Marker* marker : {&planned, &driven, &reflectors, &kinds[0], &kinds[1], &kinds[2]}) {
+    marker->id = static_cast<std::int32_t>(array.markers.size());
+    append(std::move(*marker), array);
   }
   return array;
 }

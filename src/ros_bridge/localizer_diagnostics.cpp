@@ -15,18 +15,19 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
 void LocalizerDiagnostics::moved(double now) {
-  motions_.last = now;
+  motions_.watch.heard(now);
   ++motions_.count;
 }
 
 void LocalizerDiagnostics::scanned(double now, double duration) {
-  scans_.last = now;
+  scans_.watch.heard(now);
   ++scans_.count;
   busy_ += duration;
   longest_ = std::max(longest_, duration);
 }
 
-void LocalizerDiagnostics::unusable(const ScanReport& report) {
+void LocalizerDiagnostics::unusable(double now, const ScanReport& report) {
+  scans_.watch.heard(now);
   ++unusable_;
   fault_ = "unusable scan: " + describe(report);
 }
@@ -35,17 +36,8 @@ void LocalizerDiagnostics::refused(InputVerdict verdict) {
   if (verdict != InputVerdict::kInOrder && verdict != InputVerdict::kLate) ++refused_;
 }
 
-std::string LocalizerDiagnostics::silence_of(const Input& input, const InputState& state,
-                                             double now) const {
-  const double since = now - std::max(input.last, started_);
-  if (since <= params_.input_timeout) return "";
-  const std::string what = state.publishers == 0 ? "nobody publishes " : "nothing comes on ";
-  return what + state.topic + " (for " + fixed_text(since, 1) + " s)";
-}
-
 void LocalizerDiagnostics::summarize(DiagnosticStatusWrapper& status, double now,
-                                     const LocalizerReport& state, const InputState& motions,
-                                     const InputState& scans) const {
+                                     const LocalizerReport& state) {
   status.summary(DiagnosticStatus::OK, std::string("localized: ") + name_of(state.status));
   const auto warn = [&](const std::string& text) {
     if (!text.empty()) status.mergeSummary(DiagnosticStatus::WARN, text);
@@ -57,9 +49,11 @@ void LocalizerDiagnostics::summarize(DiagnosticStatusWrapper& status, double now
     status.summary(DiagnosticStatus::WARN, words);
   }
   if (!fault_.empty()) status.mergeSummary(DiagnosticStatus::ERROR, fault_);
-  warn(silence_of(motions_, motions, now));
-  warn(silence_of(scans_, scans, now));
-  warn(warning_);
+  warn(motions_.watch.trouble(now));
+  warn(scans_.watch.trouble(now));
+  warn(mount_);
+  warn(odometry_);
+  warn(pose_file_trouble_);
   if (!state.map_T_base) return;
   const Eigen::Vector3d deviations = deviations_of(*state.map_T_base);
   const double position = std::max(deviations(0), deviations(1));
@@ -83,7 +77,7 @@ void LocalizerDiagnostics::add_values(DiagnosticStatusWrapper& status, double no
   status.add("reason", name_of(state.reason));
   status.addf("rate of motions [1/s]", "%.1f", rate(motions_));
   status.addf("rate of scans [1/s]", "%.1f", rate(scans_));
-  status.addf("time since the last scan [s]", "%.2f", now - std::max(scans_.last, started_));
+  status.addf("time since the last scan [s]", "%.2f", scans_.watch.silence(now));
   status.add("landmarks observed", state.seen.size());
   status.add("landmarks matched", state.agreement.used);
   status.add("landmarks expected", state.agreement.expected);
@@ -105,9 +99,8 @@ void LocalizerDiagnostics::add_values(DiagnosticStatusWrapper& status, double no
 }
 
 void LocalizerDiagnostics::report(DiagnosticStatusWrapper& status, double now,
-                                  const LocalizerReport& state, const InputState& motions,
-                                  const InputState& scans) {
-  summarize(status, now, state, motions, scans);
+                                  const LocalizerReport& state) {
+  summarize(status, now, state);
   add_values(status, now, state);
   last_report_ = now;
   motions_.count = scans_.count = 0;

@@ -8,6 +8,7 @@
 
 #include "falko_slam/localization/line_model.hpp"
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
+#include "marker_list.hpp"
 
 namespace falko_slam {
 namespace {
@@ -15,48 +16,15 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-struct Look {
-  const char* name;
-  float red, green, blue, alpha;
-  double size;  // of a point or a line's width [m]
-};
-
-constexpr Look kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
-constexpr Look kFeatures{"features", 0.3F, 0.6F, 1.0F, 1.0F, 0.20};
-constexpr Look kStatePoints{"state_points", 0.1F, 0.9F, 0.9F, 1.0F, 0.20};
-constexpr Look kStateFaces{"state_faces", 0.1F, 0.9F, 0.9F, 1.0F, 0.10};
-constexpr Look kUsed{"used", 0.0F, 0.9F, 0.3F, 0.8F, 0.04};
-constexpr Look kStrangers{"strangers", 0.9F, 0.2F, 0.1F, 0.7F, 0.04};
-constexpr Look kPose{"pose", 0.0F, 0.9F, 0.3F, 1.0F, 0.12};
-constexpr Look kDeviation{"deviation", 0.7F, 0.3F, 1.0F, 0.6F, 0.05};
+constexpr MarkerLook kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
+constexpr MarkerLook kFeatures{"features", 0.3F, 0.6F, 1.0F, 1.0F, 0.20};
+constexpr MarkerLook kStatePoints{"state_points", 0.1F, 0.9F, 0.9F, 1.0F, 0.20};
+constexpr MarkerLook kStateFaces{"state_faces", 0.1F, 0.9F, 0.9F, 1.0F, 0.10};
+constexpr MarkerLook kUsed{"used", 0.0F, 0.9F, 0.3F, 0.8F, 0.04};
+constexpr MarkerLook kStrangers{"strangers", 0.9F, 0.2F, 0.1F, 0.7F, 0.04};
+constexpr MarkerLook kPose{"pose", 0.0F, 0.9F, 0.3F, 1.0F, 0.12};
+constexpr MarkerLook kDeviation{"deviation", 0.7F, 0.3F, 1.0F, 0.6F, 0.05};
 constexpr double kDeviations = 3.0;
-
-Marker marker_of(const Look& look, std::int32_t type, const std_msgs::Header& header) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = look.name;
-  marker.type = type;
-  marker.pose.orientation.w = 1.0;
-  marker.scale.x = marker.scale.y = marker.scale.z = look.size;
-  marker.color.r = look.red;
-  marker.color.g = look.green;
-  marker.color.b = look.blue;
-  marker.color.a = look.alpha;
-  return marker;
-}
-
-void add_point(Marker& marker, const Eigen::Vector2d& point) {
-  geometry_msgs::Point message;
-  message.x = point.x();
-  message.y = point.y();
-  marker.points.push_back(message);
-}
-
-// Only what has points is drawn; the rest takes away what was there.
-void append(Marker marker, MarkerArray& markers) {
-  if (marker.points.empty()) marker.action = Marker::DELETE;
-  markers.markers.push_back(std::move(marker));
-}
 
 void add_map(const LandmarkMap& map, const std_msgs::Header& header, MarkerArray& markers) {
   Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);

@@ -5,27 +5,10 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace falko_slam {
 
 using diagnostic_msgs::DiagnosticStatus;
-
-LoopDiagnostics::LoopDiagnostics(std::string topic, double timeout)
-    : topic_(std::move(topic)), timeout_(timeout) {}
-
-void LoopDiagnostics::received(const ScanReport& report, double now) {
-  last_ = report;
-  last_scan_ = now;
-  ++scans_;
-  if (!report.usable()) ++unusable_;
-}
-
-void LoopDiagnostics::dropped(const std::string& missing) {
-  ++dropped_;
-  ++window_.dropped;
-  missing_ = missing;
-}
 
 void LoopDiagnostics::added(KeyframeId keyframe, const LoopDetection& detection, double duration) {
   ++keyframes_;
@@ -47,29 +30,11 @@ void LoopDiagnostics::loaded(std::size_t keyframes) {
 }
 
 void LoopDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status, double now) {
-  if (started_ < 0.0) started_ = now;
-  const double silence = now - (last_scan_ < 0.0 ? started_ : last_scan_);
-
   status.summaryf(DiagnosticStatus::OK, "%zu keyframes, %zu loops", keyframes_, accepted_);
-  if (scans_ > 0 && last_.usable() && last_.count(BeamStatus::kValid) == 0) {
-    status.summary(DiagnosticStatus::WARN, "no valid beam: " + describe(last_));
-  }
-  if (window_.dropped > 0) {
-    status.summaryf(DiagnosticStatus::WARN, "%zu scans dropped: %s", window_.dropped,
-                    missing_.c_str());
-  }
-  if (scans_ > 0 && !last_.usable()) {
-    status.summary(DiagnosticStatus::ERROR, "unusable scan: " + describe(last_));
-  }
-  if (silence > timeout_) {
-    status.summaryf(DiagnosticStatus::WARN, "no scan on %s for %.1f s", topic_.c_str(), silence);
-  }
+  tally_.summarize(status, now);
 
   const auto keyframes = static_cast<double>(window_.keyframes);
-  status.add("topic", topic_);
-  status.add("scans", scans_);
-  status.add("scans unusable", unusable_);
-  status.add("scans dropped for want of a transform", dropped_);
+  tally_.add_counts(status);
   status.add("keyframes", keyframes_);
   status.add("keyframes loaded", loaded_);
   status.add("loops accepted", accepted_);
@@ -82,7 +47,8 @@ void LoopDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status
   status.addf("time per keyframe, mean [ms]", "%.3f",
               window_.keyframes > 0 ? 1e3 * window_.busy / keyframes : 0.0);
   status.addf("time per keyframe, longest [ms]", "%.3f", 1e3 * window_.longest);
-  status.add("last scan", scans_ > 0 ? describe(last_) : std::string("none yet"));
+  tally_.add_last(status);
+  tally_.begin_window();
   window_ = Window{};
 }
 

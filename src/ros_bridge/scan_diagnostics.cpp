@@ -11,14 +11,13 @@ namespace falko_slam {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-ScanDiagnostics::ScanDiagnostics(std::string topic, double timeout)
-    : topic_(std::move(topic)), timeout_(timeout) {}
+ScanDiagnostics::ScanDiagnostics(TopicWatch scans, double now) : tally_(std::move(scans)) {
+  window_.start = now;
+}
 
 void ScanDiagnostics::add(const ScanReport& report, std::size_t keypoints, double now,
                           double duration) {
-  last_ = report;
-  last_scan_ = now;
-  ++scans_;
+  tally_.received(report, now);
   if (report.fault == ScanFault::kNoBeams) ++no_beams_;
   if (report.fault == ScanFault::kBadAngles) ++bad_angles_;
   if (report.usable()) {
@@ -31,31 +30,16 @@ void ScanDiagnostics::add(const ScanReport& report, std::size_t keypoints, doubl
 }
 
 void ScanDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status, double now) {
-  if (started_ < 0.0) started_ = now;
-  if (window_.start < 0.0) window_.start = started_;
   const double seconds = now - window_.start;
   const auto scans = static_cast<double>(window_.scans);
   const double rate = seconds > 0.0 ? scans / seconds : 0.0;
   const double keypoints = window_.scans > 0 ? static_cast<double>(window_.keypoints) / scans : 0.0;
-  const double silence = now - (last_scan_ < 0.0 ? started_ : last_scan_);
 
   status.summaryf(DiagnosticStatus::OK, "%.1f scans/s, %.1f keypoints each", rate, keypoints);
   if (!warning_.empty()) status.summary(DiagnosticStatus::WARN, warning_);
-  if (scans_ > 0 && last_.usable() && last_.count(BeamStatus::kValid) == 0) {
-    status.summary(DiagnosticStatus::WARN, "no valid beam: " + describe(last_));
-  } else if (scans_ > 0 && last_.angles_disagree()) {
-    status.summary(DiagnosticStatus::WARN,
-                   "angles and number of beams disagree: " + describe(last_));
-  }
-  if (scans_ > 0 && !last_.usable()) {
-    status.summary(DiagnosticStatus::ERROR, "unusable scan: " + describe(last_));
-  }
-  if (silence > timeout_) {
-    status.summaryf(DiagnosticStatus::WARN, "no scan on %s for %.1f s", topic_.c_str(), silence);
-  }
+  tally_.summarize(status, now);
 
-  status.add("topic", topic_);
-  status.add("scans", scans_);
+  tally_.add_counts(status);
   status.add("dropped: no beams", no_beams_);
   status.add("dropped: bad angles", bad_angles_);
   status.add("invalid beams in used scans", invalid_beams_);
@@ -63,7 +47,8 @@ void ScanDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status
   status.addf("keypoints per scan", "%.2f", keypoints);
   status.addf("time per scan, mean [ms]", "%.3f", scans > 0.0 ? 1e3 * window_.busy / scans : 0.0);
   status.addf("time per scan, longest [ms]", "%.3f", 1e3 * window_.longest);
-  status.add("last scan", scans_ > 0 ? describe(last_) : std::string("none yet"));
+  tally_.add_last(status);
+  tally_.begin_window();
   window_ = Window{};
   window_.start = now;
 }

@@ -13,22 +13,13 @@ namespace falko_slam {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-SlamDiagnostics::SlamDiagnostics(std::string topic, bool use_odometry, double timeout)
-    : topic_(std::move(topic)), use_odometry_(use_odometry), timeout_(timeout) {}
+SlamDiagnostics::SlamDiagnostics(TopicWatch scans, bool use_odometry, double timeout)
+    : tally_(std::move(scans)), use_odometry_(use_odometry), timeout_(timeout) {}
 
 void SlamDiagnostics::received(const ScanReport& report, const Clock& now) {
-  last_report_ = report;
-  last_ = now;
-  started_ = true;
-  ++received_;
+  tally_.received(report, now.steady);
+  last_ = now.vehicle;
   ++window_.received;
-  if (!report.usable()) ++unusable_;
-}
-
-void SlamDiagnostics::dropped(const std::string& missing) {
-  ++dropped_;
-  ++window_.dropped;
-  missing_ = missing;
 }
 
 void SlamDiagnostics::overflowed() {
@@ -81,10 +72,10 @@ void SlamDiagnostics::restarted(std::size_t keyframes) {
 }
 
 double SlamDiagnostics::silence(const Clock& now) const {
-  return std::max(now.steady - last_.steady, now.vehicle - last_.vehicle);
+  return std::max(tally_.watch().silence(now.steady), now.vehicle - *last_);
 }
 
-void SlamDiagnostics::summarize(DiagnosticStatusWrapper& status, const Clock& now) const {
+void SlamDiagnostics::summarize(DiagnosticStatusWrapper& status, const Clock& now) {
   status.summaryf(DiagnosticStatus::OK, "%zu keyframes, %zu closures%s", keyframes_, accepted_,
                   use_odometry_ ? "" : ", without odometry");
   const auto warn = [&](const std::string& text) { status.summary(DiagnosticStatus::WARN, text); };
@@ -94,32 +85,20 @@ void SlamDiagnostics::summarize(DiagnosticStatusWrapper& status, const Clock& no
     warn(std::to_string(window_.lost) + " scans fitted nowhere" +
          (use_odometry_ ? ", odometry alone was believed" : ""));
   }
-  if (received_ > 0 && last_report_.usable() && last_report_.count(BeamStatus::kValid) == 0) {
-    warn("no valid beam: " + describe(last_report_));
-  }
   if (window_.overflowed > 0) {
     warn(std::to_string(window_.overflowed) +
          " scans dropped: they come faster than they are done");
   }
   if (paused_) warn("paused");
-  if (window_.dropped > 0) warn(std::to_string(window_.dropped) + " scans dropped: " + missing_);
-  if (silence(now) > timeout_) {
-    status.summaryf(DiagnosticStatus::WARN, "no scan on %s for %.1f s", topic_.c_str(),
-                    silence(now));
-  }
-  if (received_ > 0 && !last_report_.usable()) {
-    status.summary(DiagnosticStatus::ERROR, "unusable scan: " + describe(last_report_));
-  }
+  if (silence(now) > timeout_) warn(tally_.watch().describe(silence(now)));
+  tally_.summarize(status, now.steady);
   if (!window_.failure.empty()) status.summary(DiagnosticStatus::ERROR, window_.failure);
 }
 
 void SlamDiagnostics::add_counts(DiagnosticStatusWrapper& status) const {
-  status.add("topic", topic_);
+  tally_.add_counts(status);
   status.add("odometry", use_odometry_ ? "used" : "not used: scans alone");
   status.add("anchored in the map", anchored_ ? "yes" : "no");
-  status.add("scans", received_);
-  status.add("scans unusable", unusable_);
-  status.add("scans dropped for want of a transform", dropped_);
   status.add("scans dropped for want of time", overflowed_);
   status.add("scans ignored while paused", ignored_);
   status.add("scans failed on", failures_);
@@ -144,17 +123,16 @@ void SlamDiagnostics::add_times(DiagnosticStatusWrapper& status, const Clock& no
   status.addf("time per scan, mean [ms]", "%.3f",
               window_.processed > 0 ? 1e3 * window_.busy / processed : 0.0);
   status.addf("time per scan, longest [ms]", "%.3f", 1e3 * window_.longest);
-  status.add("last scan", received_ > 0 ? describe(last_report_) : std::string("none yet"));
+  tally_.add_last(status);
 }
 
 void SlamDiagnostics::report(DiagnosticStatusWrapper& status, const Clock& now) {
-  if (!started_) last_ = now;
-  started_ = true;
-  last_.vehicle = std::min(last_.vehicle, now.vehicle);  // which may have jumped back
-  if (window_.start < 0.0) window_.start = last_.steady;
+  last_ = std::min(last_.value_or(now.vehicle), now.vehicle);  // which may have jumped back
+  if (window_.start < 0.0) window_.start = now.steady;
   summarize(status, now);
   add_counts(status);
   add_times(status, now);
+  tally_.begin_window();
   window_ = Window{};
   window_.start = now.steady;
 }

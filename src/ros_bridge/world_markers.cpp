@@ -4,6 +4,7 @@
 
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/laser_scanner.hpp"
+#include "marker_list.hpp"
 
 namespace falko_slam {
 namespace {
@@ -11,23 +12,9 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-Marker lines_of(const char* name, const std_msgs::Header& header) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.type = Marker::LINE_LIST;
-  marker.pose.orientation.w = 1.0;
-  marker.scale.x = 0.08;
-  marker.color.a = 1.0F;
-  return marker;
-}
-
-void add_point(Marker& marker, const Eigen::Vector2d& place) {
-  geometry_msgs::Point point;
-  point.x = place.x();
-  point.y = place.y();
-  marker.points.push_back(point);
-}
+constexpr MarkerLook kFixed{"world", 0.1F, 0.1F, 0.1F, 1.0F, 0.08};
+constexpr MarkerLook kThings{"things", 0.9F, 0.4F, 0.0F, 1.0F, 0.08};
+constexpr MarkerLook kReflectors{"reflectors", 1.0F, 0.8F, 0.0F, 1.0F, 0.3};
 
 // A circle as so many lines.
 void add_circle(Marker& marker, const Cylinder& cylinder, const Pose2& world_T_shape) {
@@ -50,35 +37,20 @@ void add_shape(Marker& marker, const Shape& shape, const Pose2& world_T_shape) {
   for (const Cylinder& cylinder : shape.cylinders) add_circle(marker, cylinder, world_T_shape);
 }
 
-Marker reflectors_of(const std::vector<Cylinder>& reflectors, const std_msgs::Header& header) {
-  Marker marker = lines_of("reflectors", header);
-  marker.type = Marker::SPHERE_LIST;
-  marker.scale.x = marker.scale.y = marker.scale.z = 0.3;
-  marker.color.r = 1.0F;
-  marker.color.g = 0.8F;
-  for (const Cylinder& reflector : reflectors) add_point(marker, reflector.center);
-  return marker;
-}
-
 }  // namespace
 
 MarkerArray world_markers(const World& world, double seconds, const std_msgs::Header& header) {
-  Marker fixed = lines_of("world", header);
-  fixed.color.r = fixed.color.g = fixed.color.b = 0.1F;
-  Marker things = lines_of("things", header);
-  things.color.r = 0.9F;
-  things.color.g = 0.4F;
+  Marker fixed = marker_of(kFixed, Marker::LINE_LIST, header);
+  Marker things = marker_of(kThings, Marker::LINE_LIST, header);
+  Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);
   add_shape(fixed, world.fixed, {});
   for (const Body& body : world.bodies) {
     if (seconds < body.appears || seconds >= body.disappears) continue;
     add_shape(things, body.shape, pose_at(body.motion, seconds));
   }
-  Marker reflectors = reflectors_of(falko_slam::reflectors_of(world), header);
+  for (const Cylinder& reflector : reflectors_of(world)) add_point(reflectors, reflector.center);
   MarkerArray array;
-  for (Marker* marker : {&fixed, &things, &reflectors}) {
-    marker->action = marker->points.empty() ? Marker::DELETE : Marker::ADD;
-    array.markers.push_back(std::move(*marker));
-  }
+  for (Marker* marker : {&fixed, &things, &reflectors}) append(std::move(*marker), array);
   return array;
 }
 

@@ -20,14 +20,16 @@ LocalizerReport ok_report() {
 
 class LocalizerDiagnosis : public ::testing::Test {
  protected:
-  DiagnosticStatus at(double now, const LocalizerReport& state = ok_report(),
-                      std::size_t scan_publishers = 1) {
+  DiagnosticStatus at(double now, const LocalizerReport& state = ok_report()) {
     diagnostic_updater::DiagnosticStatusWrapper status;
-    diagnostics_.report(status, now, state, {"/encoders", 1}, {"/scan", scan_publishers});
+    diagnostics_.report(status, now, state);
     return status;
   }
 
-  LocalizerDiagnostics diagnostics_{{}, 100.0};
+  static TopicWatch watch(const std::string& topic) {
+    return TopicWatch({topic, ""}, 100.0, 1.0, [] { return std::optional<TopicDirectory>(); });
+  }
+  LocalizerDiagnostics diagnostics_{{}, watch("/encoders"), watch("/scan"), 100.0};
 };
 
 TEST_F(LocalizerDiagnosis, IsOkWhileAllIs) {
@@ -40,9 +42,21 @@ TEST_F(LocalizerDiagnosis, IsOkWhileAllIs) {
 
 TEST_F(LocalizerDiagnosis, NamesTopicsThatAreSilent) {
   diagnostics_.moved(102.9);
-  EXPECT_EQ(at(103.0, ok_report(), 0).message, "nobody publishes /scan (for 3.0 s)");
-  EXPECT_EQ(at(103.0).message, "nothing comes on /scan (for 3.0 s)");
+  EXPECT_EQ(at(103.0).message, "no message on /scan for 3.0 s");
   EXPECT_EQ(at(103.0).level, DiagnosticStatus::WARN);
+}
+
+TEST_F(LocalizerDiagnosis, CarriesWarningsUntilTheyAreTakenBack) {
+  diagnostics_.moved(101.0);
+  diagnostics_.scanned(101.0, 0.001);
+  diagnostics_.warn_of_mount("another mount");
+  diagnostics_.warn_of_odometry("no odometry");
+  diagnostics_.warn_of_pose_file("no space");
+  EXPECT_EQ(at(101.5).message, "another mount; no odometry; no space");
+  diagnostics_.warn_of_mount("");
+  diagnostics_.warn_of_odometry("");
+  diagnostics_.warn_of_pose_file("");
+  EXPECT_EQ(at(101.5).message, "localized: ok");
 }
 
 TEST_F(LocalizerDiagnosis, TellsStatusAndDeviations) {

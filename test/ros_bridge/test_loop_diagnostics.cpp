@@ -47,7 +47,8 @@ class LoopDiagnosticsTest : public ::testing::Test {
     return "no such key";
   }
 
-  LoopDiagnostics diagnostics_{"/scan", 3.0};
+  LoopDiagnostics diagnostics_{TopicWatch({"/scan", "sensor_msgs/LaserScan"}, 100.0, 1.5,
+                                          [] { return std::optional<TopicDirectory>(); })};
   DiagnosticStatusWrapper status_;
 };
 
@@ -79,7 +80,7 @@ TEST_F(LoopDiagnosticsTest, WarnOfScansThatTfCannotPlace) {
 }
 
 TEST_F(LoopDiagnosticsTest, WarnWhenScansStop) {
-  expect(103.5, DiagnosticStatus::WARN, "no scan on /scan for 3.5 s");
+  expect(103.5, DiagnosticStatus::WARN, "no message on /scan for 3.5 s");
 }
 
 TEST_F(LoopDiagnosticsTest, TellOfScansWithoutUse) {

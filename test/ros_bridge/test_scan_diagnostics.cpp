@@ -53,7 +53,9 @@ class Diagnostics : public ::testing::Test {
     EXPECT_EQ(status.message, text);
   }
 
-  ScanDiagnostics diagnostics_{"/scan", 3.0};
+  ScanDiagnostics diagnostics_{TopicWatch({"/scan", "sensor_msgs/LaserScan"}, 100.0, 3.0,
+                                          [] { return std::optional<TopicDirectory>(); }),
+                               100.0};
 };
 
 TEST_F(Diagnostics, AreOkWhileTheFirstScanMayStillCome) {
@@ -64,14 +66,14 @@ TEST_F(Diagnostics, AreOkWhileTheFirstScanMayStillCome) {
 
 TEST_F(Diagnostics, WarnWithoutAnyScan) {
   report(100.0);
-  expect(103.5, DiagnosticStatus::WARN, "no scan on /scan for 3.5 s");
+  expect(103.5, DiagnosticStatus::WARN, "no message on /scan for 3.5 s");
 }
 
 TEST_F(Diagnostics, WarnWhenScansStop) {
   report(100.0);
   diagnostics_.add(good_scan(), 4, 101.0, 0.001);
   expect(103.9, DiagnosticStatus::OK, "0.3 scans/s, 4.0 keypoints each");
-  expect(104.1, DiagnosticStatus::WARN, "no scan on /scan for 3.1 s");
+  expect(104.1, DiagnosticStatus::WARN, "no message on /scan for 3.1 s");
 }
 
 TEST_F(Diagnostics, TellTheRateSinceTheLastReport) {

@@ -11,6 +11,11 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
+TopicWatch scan_watch() {
+  return TopicWatch({"/scan", "sensor_msgs/LaserScan"}, 100.0, 1.5,
+                    [] { return std::optional<TopicDirectory>(); });
+}
+
 ScanReport good_scan() {
   ScanReport report;
   report.beam_count = 10;
@@ -48,7 +53,7 @@ class SlamDiagnosticsTest : public ::testing::Test {
     diagnostics_.processed(anchored_step(), 0.002);
   }
 
-  SlamDiagnostics diagnostics_{"/scan", true, 3.0};
+  SlamDiagnostics diagnostics_{scan_watch(), true, 3.0};
   DiagnosticStatusWrapper status_;
 };
 
@@ -90,9 +95,9 @@ TEST_F(SlamDiagnosticsTest, WarnOfTooMuchWork) {
 
 TEST_F(SlamDiagnosticsTest, WarnOfSilenceByEitherClock) {
   run();
-  expect({104.5, 10.5}, DiagnosticStatus::WARN, "no scan on /scan for 4.0 s");
+  expect({104.5, 10.5}, DiagnosticStatus::WARN, "no message on /scan for 4.0 s");
   run();
-  expect({100.5, 20.5}, DiagnosticStatus::WARN, "no scan on /scan for 10.0 s");
+  expect({100.5, 20.5}, DiagnosticStatus::WARN, "no message on /scan for 10.0 s");
   run();
   expect({100.6, 2.0}, DiagnosticStatus::OK, "3 keyframes, 0 closures");  // time has jumped back
 }
@@ -137,7 +142,7 @@ TEST_F(SlamDiagnosticsTest, ShowWarningsFromOutside) {
 }
 
 TEST(SlamDiagnostics, SayThatThereIsNoOdometry) {
-  SlamDiagnostics diagnostics("/scan", false, 3.0);
+  SlamDiagnostics diagnostics(scan_watch(), false, 3.0);
   diagnostics.received(good_scan(), {100.5, 10.5});
   diagnostics.processed(anchored_step(), 0.002);
   DiagnosticStatusWrapper status;

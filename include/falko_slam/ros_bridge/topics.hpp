@@ -38,6 +38,8 @@ constexpr char kLandmarks[] = "landmarks";         ///< falko_slam/LandmarkArray
 constexpr char kMarkers[] = "markers";             ///< visualization_msgs/MarkerArray
 constexpr char kStatus[] = "status";               ///< falko_slam/LocalizerStatus, latched
 
+constexpr char kMode[] = "mode";  ///< std_msgs/String, latched, in the private namespace
+
 constexpr char kCalibrate[] = "calibrate";  ///< action, falko_slam/Calibrate
 
 // Services, in the node's private namespace.
@@ -51,6 +53,7 @@ constexpr char kSaveState[] = "save_state";                    ///< falko_slam/S
 constexpr char kLoadState[] = "load_state";                    ///< falko_slam/LoadState
 constexpr char kPause[] = "pause";                             ///< std_srvs/SetBool
 constexpr char kComputeCalibration[] = "compute_calibration";  ///< falko_slam/ComputeCalibration
+constexpr char kSetMode[] = "set_mode";                        ///< falko_slam/SetMode
 constexpr char kSetPose[] = "set_pose";                        ///< falko_slam/SetPose
 constexpr char kReset[] = "reset";                             ///< std_srvs/Trigger
 

@@ -1,0 +1,75 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <falko_slam/SetMode.h>
+#include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <string>
+
+#include "falko_slam/ros_bridge/mode_switch_params.hpp"
+#include "manager_client.hpp"
+
+namespace falko_slam {
+
+/// Lets a vehicle either make a map or find itself on one: holds PoseGraph or Localizer in a
+/// nodelet manager, never both, for both send tf map -> odom.
+///
+/// Service `~set_mode`; publishes `~mode`, latched: mapping, localization, or none. Looks after the
+/// nodelet of the mode: one that is gone, with its manager or without, is loaded again. Parameters:
+/// config/mode_switch.yaml.
+///
+/// Best a node of its own (bin mode_switch): it outlives the manager. Started again it takes over
+/// what runs. All callbacks come one after the other from a queue and thread of our own, which may
+/// wait for the manager.
+class ModeSwitchNodelet : public nodelet::Nodelet {
+ public:
+  ~ModeSwitchNodelet() override;
+
+ private:
+  void onInit() override;
+  void load_parameters();
+  void start();
+
+  void on_timer();
+  void supervise();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void publish_mode(const std::string& mode);
+
+  // mode_switch_changes.cpp
+  bool on_set_mode(SetMode::Request& request, SetMode::Response& response);
+  /// Returns what was done. Throws std::runtime_error with what was not.
+  std::string change(VehicleMode mode, const SetMode::Request& request);
+  void require_readable(VehicleMode mode, const std::string& file) const;
+  std::string file_of(VehicleMode mode, const std::string& wished) const;
+  /// Returns the name of the state.
+  std::string save_map() const;
+  /// With the file as its parameter.
+  void load(VehicleMode mode, const std::string& file);
+
+  ManagedNodelet nodelet_of(VehicleMode mode) const;
+  std::string file_parameter(VehicleMode mode) const;
+
+  ModeSwitchParams params_;
+  VehicleMode mode_ = VehicleMode::kLocalization;
+  bool manager_answers_ = false, runs_ = false;
+  std::size_t loads_ = 0;  // without being asked
+  std::string trouble_;    // of loading
+  std::string published_;
+  std::string refusal_;
+  ros::SteadyTime refused_;
+
+  ros::CallbackQueue queue_;
+  std::unique_ptr<ManagerClient> manager_;
+  std::unique_ptr<diagnostic_updater::Updater> updater_;
+  ros::Publisher mode_publisher_;
+  ros::ServiceServer set_mode_;
+  ros::WallTimer timer_;
+  std::unique_ptr<ros::AsyncSpinner> thread_;
+};
+
+}  // namespace falko_slam

@@ -1,0 +1,118 @@
+// Copyright (c) falko_slam contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "falko_slam/ros_bridge/topic_watch.hpp"
+
+#include <XmlRpcValue.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "falko_slam/common/number_text.hpp"
+
+namespace falko_slam {
+namespace {
+
+constexpr std::size_t kMostSuggestions = 3;
+
+std::string last_name(const std::string& topic) { return topic.substr(topic.rfind('/') + 1); }
+
+std::string list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::vector<std::string> others_of_type(const HeardTopic& topic, const TopicDirectory& directory) {
+  std::vector<std::string> names;
+  for (const auto& [name, published] : directory) {
+    if (name != topic.name && published.type == topic.type) names.push_back(name);
+  }
+  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) {
+    return last_name(name) == last_name(topic.name);
+  });
+  if (names.size() > kMostSuggestions) names.resize(kMostSuggestions);
+  return names;
+}
+
+std::string suggestion(const HeardTopic& topic, const TopicDirectory& directory) {
+  const std::vector<std::string> names = others_of_type(topic, directory);
+  if (names.empty()) return "";
+  return " (did you mean " + list(names) + ", of this type?)";
+}
+
+}  // namespace
+
+std::optional<TopicDirectory> ask_master() {
+  TopicDirectory directory;
+  XmlRpc::XmlRpcValue name, answer, state;
+  name[0] = ros::this_node::getName();
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return {};
+  if (!ros::master::execute("getSystemState", name, answer, state, false)) return {};
+  // [[topic, [publisher, ...]], ...], and the same of subscribers and services.
+  XmlRpc::XmlRpcValue& published = state[0];
+  for (int i = 0; i < published.size(); ++i) {
+    XmlRpc::XmlRpcValue& nodes = published[i][1];
+    PublishedTopic& topic = directory[static_cast<std::string&>(published[i][0])];
+    for (int k = 0; k < nodes.size(); ++k) topic.publishers.push_back(nodes[k]);
+  }
+  for (const ros::master::TopicInfo& topic : topics) directory[topic.name].type = topic.datatype;
+  return directory;
+}
+
+SilenceCause silence_cause(const HeardTopic& topic, const TopicDirectory& directory) {
+  const auto found = directory.find(topic.name);
+  if (found == directory.end()) return SilenceCause::kNoPublisher;
+  const std::string& type = found->second.type;
+  return type == topic.type || type == "*" ? SilenceCause::kNoMessage : SilenceCause::kWrongType;
+}
+
+std::string describe_silence(const HeardTopic& topic, const TopicDirectory& directory) {
+  const SilenceCause cause = silence_cause(topic, directory);
+  if (cause == SilenceCause::kNoPublisher) {
+    return "nobody publishes it" + suggestion(topic, directory);
+  }
+  const PublishedTopic& published = directory.at(topic.name);
+  const std::string nodes = list(published.publishers);
+  if (cause == SilenceCause::kNoMessage) return nodes + " should publish it, but is silent";
+  return nodes + " publishes it with type " + published.type + ", expected " + topic.type +
+         suggestion(topic, directory);
+}
+
+TopicWatch::TopicWatch(HeardTopic topic, double now, double timeout, AskMaster ask)
+    : topic_(std::move(topic)), timeout_(timeout), ask_(std::move(ask)), last_(now) {}
+
+void TopicWatch::heard(double now) {
+  last_ = now;
+  answer_.reset();
+}
+
+void TopicWatch::ask() {
+  if (question_.valid()) {
+    if (question_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    answer_ = question_.get();
+  }
+  question_ = std::async(std::launch::async, ask_);
+}
+
+std::string TopicWatch::trouble(double now) {
+  const double seconds = silence(now);
+  // A little early, so that the answer is there when it is needed.
+  if (seconds > 0.5 * timeout_) ask();
+  return seconds > timeout_ ? describe(seconds) : "";
+}
+
+std::string TopicWatch::describe(double seconds) const {
+  return "no message on " + topic_.name + " for " + fixed_text(seconds, 1) + " s" +
+         (answer_ ? ": " + describe_silence(topic_, *answer_) : "");
+}
+
+std::optional<SilenceCause> TopicWatch::cause() const {
+  if (!answer_) return {};
+  return silence_cause(topic_, *answer_);
+}
+
+}  // namespace falko_slam
