@@ -24,6 +24,7 @@ const Eigen::Matrix3d kTold = pose_covariance(0.05, degrees_to_radians(1.0));
 LayoutFollowerParams follower_of(const VehicleCalibration& believed, const ActuatorModel& model) {
   LayoutFollowerParams params;
   params.tricycle = believed.tricycle;
+  params.steer_gain = believed.steer_gain;
   params.acceleration = model.acceleration;
   params.max_steering = std::min(params.max_steering, model.max_steering);
   return params;

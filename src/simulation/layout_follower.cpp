@@ -22,6 +22,7 @@ constexpr Duration kStood = std::chrono::milliseconds(100);  // before it counts
 
 void validate(const LayoutFollowerParams& params) {
   validate(params.tricycle);
+  require_in_range("steer_gain", params.steer_gain, 0.01, 100.0);
   require_in_range("acceleration", params.acceleration, 1e-3, 10.0);
   require_in_range("max_steering", params.max_steering, 1e-3, 1.5);
   require_in_range("response", params.response, 0.05, 10.0);
@@ -103,7 +104,7 @@ class LayoutFollower::Impl {
     const double wanted = std::atan(params_.tricycle.wheelbase * curvature);
     const double angle = std::clamp(wanted, -params_.max_steering, params_.max_steering);
     const double direction = step.backward ? -1.0 : 1.0;
-    steering_ = angle - true_steering(params_.tricycle, 0.0, direction);
+    steering_ = (angle - true_steering(params_.tricycle, 0.0, direction)) / params_.steer_gain;
     const double error = std::abs(steering_ - motion.steering.value_or(steering_));
     const double ready = std::clamp((kSteeredNot - error) / (kSteeredNot - kSteered), 0.0, 1.0);
     const double speed = std::min(step.speed, tracking_->speed_limit() / std::cos(angle));

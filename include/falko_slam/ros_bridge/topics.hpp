@@ -14,6 +14,7 @@ constexpr char kGroundTruth[] = "ground_truth";           ///< geometry_msgs/Pos
 constexpr char kEncoders[] = "encoders";                  ///< falko_slam/TricycleEncoders
 constexpr char kJointStates[] = "joint_states";           ///< sensor_msgs/JointState
 constexpr char kDriveCommand[] = "drive_command";         ///< falko_slam/DriveCommand
+constexpr char kOperationPoint[] = "operation_point";     ///< falko_slam/OperationPoint
 constexpr char kReflectors[] = "reflectors";              ///< falko_slam/ReflectorArray
 constexpr char kGroundTruthPath[] = "ground_truth_path";  ///< nav_msgs/Path, latched
 constexpr char kWorldMarkers[] = "world_markers";      ///< visualization_msgs/MarkerArray, latched

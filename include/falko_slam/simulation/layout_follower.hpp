@@ -16,6 +16,7 @@ namespace falko_slam {
 
 struct LayoutFollowerParams {
   TricycleParams tricycle;     ///< as calibrated: its offsets are taken off what is commanded
+  double steer_gain = 1.0;     ///< of the measured steering, before the offset, [0.01, 100]
   double acceleration = 0.5;   ///< of the wheel [m/s^2], (0, 10]
   double max_steering = 1.2;   ///< to either side [rad], (0, 1.5]
   double response = 0.5;       ///< way on which an error dies down, at rest [m], [0.05, 10]
