@@ -32,16 +32,13 @@ struct LocalizeOptions {
 
 LocalizerParams read_parameters(const LocalizeOptions& options, const LandmarkMap& map) {
   LocalizerParams params;
-  for (const MapLandmark& landmark : map.landmarks) {
-    if (landmark.kind != LandmarkKind::kReflector) continue;
-    params.reflectors.diameter = landmark.layout.diameter;
-    break;
-  }
   if (!options.parameters.empty()) {
     YamlFields file(options.parameters);
     visit_localizer_fields(params, file);
     file.check([&] { validate(params); });
   }
+  const std::string remark = take_diameter_of(map, params.reflectors);
+  if (!remark.empty()) std::cerr << remark << "\n";
   if (options.no_deskew) params.deskew = false;
   return params;
 }

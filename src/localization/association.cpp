@@ -146,6 +146,11 @@ void validate(const AssociationParams& params) {
   require_in_range("max_nodes", params.max_nodes, 1, 1000000);
 }
 
+bool fits_nothing(ObservationVerdict verdict) {
+  return verdict == ObservationVerdict::kNoLandmark ||
+         verdict == ObservationVerdict::kIncompatible || verdict == ObservationVerdict::kUnknownId;
+}
+
 const char* name_of(ObservationVerdict verdict) {
   switch (verdict) {
     case ObservationVerdict::kUsed:

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/localization/localizer_params.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "falko_slam/common/number_text.hpp"
 #include "falko_slam/common/validation.hpp"
+#include "falko_slam/localization/landmark_map.hpp"
 #include "falko_slam/localization/pose_filter.hpp"
 
 namespace falko_slam {
@@ -94,6 +97,17 @@ void validate(const LocalizerParams& params) {
   require_in_range("mount_heading", params.mount_heading, 0.0, 1.0);
   require_in_range("max_speed", params.max_speed, 0.0, 100.0);
   require_in_range("max_turn_rate", params.max_turn_rate, 0.0, 100.0);
+}
+
+std::string take_diameter_of(const LandmarkMap& map, ReflectorDetectorParams& reflectors) {
+  const auto first = std::find_if(
+      map.landmarks.begin(), map.landmarks.end(),
+      [](const MapLandmark& landmark) { return landmark.kind == LandmarkKind::kReflector; });
+  if (first == map.landmarks.end() || first->layout.diameter == reflectors.diameter) return "";
+  const std::string before = exact_text(reflectors.diameter);
+  reflectors.diameter = first->layout.diameter;
+  return "reflectors have a diameter of " + exact_text(reflectors.diameter) +
+         " m, as the map says, not of " + before + " m, as the parameters say";
 }
 
 }  // namespace falko_slam

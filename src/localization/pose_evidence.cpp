@@ -26,11 +26,6 @@ double density_of(const std::vector<Landmark>& landmarks) {
   return static_cast<double>(landmarks.size()) / (size.x() * size.y());
 }
 
-bool fits_nothing(ObservationVerdict verdict) {
-  return verdict == ObservationVerdict::kNoLandmark ||
-         verdict == ObservationVerdict::kIncompatible || verdict == ObservationVerdict::kUnknownId;
-}
-
 }  // namespace
 
 PoseEvidence::PoseEvidence(const PoseEvidenceParams& params, const PoseFilterParams& filter,

@@ -9,7 +9,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -74,6 +73,8 @@ void LocalizerNodelet::load_parameters() {
 void LocalizerNodelet::load_map() {
   try {
     map_ = read_map_of_any_format(params_.map_file);
+    const std::string remark = take_diameter_of(map_, params_.localizer.reflectors);
+    if (!remark.empty()) NODELET_WARN_STREAM(remark);
     localizer_ = std::make_unique<Localizer>(params_.localizer, map_);
   } catch (const std::exception& error) {
     NODELET_FATAL_STREAM("parameter map_file: " << error.what());
@@ -81,27 +82,12 @@ void LocalizerNodelet::load_map() {
   }
   map_identity_ = identity_of(map_);
   NODELET_INFO_STREAM(params_.map_file << ": " << map_identity_);
-  warn_of_diameters();
   MapTransformParams transform;
   transform.map_frame = params_.map_frame;
   transform.child_frame = params_.odom_frame;
   transform.tolerance = params_.transform_tolerance;
   transform.timeout = params_.localizer.monitor.lost_silence;
   transform_ = std::make_unique<MapTransform>(transform);
-}
-
-// Reflectors of another size are not found, or in the wrong place.
-void LocalizerNodelet::warn_of_diameters() {
-  constexpr double kTolerance = 0.005;  // [m]
-  const double sought = params_.localizer.reflectors.diameter;
-  for (const MapLandmark& landmark : map_.landmarks) {
-    const double diameter = landmark.layout.diameter;
-    if (landmark.kind != LandmarkKind::kReflector) continue;
-    if (std::abs(diameter - sought) <= kTolerance) continue;
-    NODELET_WARN_STREAM("reflector " << landmark.id << " of the map has a diameter of " << diameter
-                                     << " m, parameter reflectors/diameter is " << sought);
-    return;
-  }
 }
 
 void LocalizerNodelet::start_publishing() {

@@ -51,7 +51,6 @@ class LocalizerNodelet : public nodelet::Nodelet {
   void onInit() override;
   void load_parameters();
   void load_map();
-  void warn_of_diameters();
   void start_publishing();
   void start_listening();
   void start_watching();

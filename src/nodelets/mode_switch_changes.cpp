@@ -74,11 +74,30 @@ std::string ModeSwitchNodelet::save_map() const {
   return state.request.file;
 }
 
+// The state becomes the parameter: whoever loads the nodelet again, mapping goes on.
+void ModeSwitchNodelet::autosave() {
+  if (mode_ != VehicleMode::kMapping || params_.autosave_period == 0.0) return unsaved_.clear();
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (!runs_ || (now - autosaved_).toSec() < params_.autosave_period) return;
+  autosaved_ = now;
+  SaveState state;
+  state.request.file = params_.save_as + "_autosave.slam";
+  try {
+    require_success(nodelet_of(mode_).name + "/" + topics::kSaveState, state);
+    ros::param::set(file_parameter(mode_), state.request.file);
+    unsaved_.clear();
+  } catch (const std::runtime_error& error) {
+    unsaved_ = std::string("not saved: ") + error.what();
+  }
+}
+
 void ModeSwitchNodelet::load(VehicleMode mode, const std::string& file) {
   ros::param::set(file_parameter(mode), file);
   manager_->load(nodelet_of(mode));
   mode_ = mode;
   runs_ = true;
+  autosaved_ = ros::SteadyTime::now();
+  if (mode == VehicleMode::kMapping) getPrivateNodeHandle().setParam(kBeganWith, file);
   getPrivateNodeHandle().setParam("mode", name_of(mode, vehicle_mode_names()));
 }
 
@@ -102,6 +121,11 @@ std::string ModeSwitchNodelet::change(VehicleMode mode, const SetMode::Request& 
       done += "; the map is saved as " + old_file;
     }
     manager_->unload(old);
+  }
+  if (before == VehicleMode::kMapping && mode != before) {
+    // The next map is no continuation of what was saved by the way.
+    ros::param::set(file_parameter(before),
+                    getPrivateNodeHandle().param(kBeganWith, std::string()));
   }
   try {
     load(mode, file);

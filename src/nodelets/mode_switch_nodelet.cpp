@@ -54,6 +54,7 @@ void ModeSwitchNodelet::load_parameters() {
     NODELET_WARN_STREAM("parameter " << name << " is not known and has no effect");
   }
   mode_ = params_.mode;
+  autosaved_ = ros::SteadyTime::now();
 }
 
 void ModeSwitchNodelet::start() {
@@ -100,6 +101,7 @@ void ModeSwitchNodelet::publish_mode(const std::string& mode) {
 void ModeSwitchNodelet::on_timer() {
   try {
     supervise();
+    autosave();
   } catch (const std::runtime_error& error) {
     trouble_ = error.what();
     NODELET_ERROR_STREAM_THROTTLE(kWarningPeriod, trouble_);
@@ -136,6 +138,7 @@ void ModeSwitchNodelet::report(diagnostic_updater::DiagnosticStatusWrapper& stat
   if (!refusal_.empty() && ago < params_.refusal_shown_for) {
     status.summary(DiagnosticStatus::WARN, mode + ", and stays so: " + refusal_);
   }
+  if (!unsaved_.empty()) status.mergeSummary(DiagnosticStatus::WARN, unsaved_);
   if (!trouble_.empty()) status.summary(DiagnosticStatus::ERROR, trouble_);
   if (!manager_answers_) {
     status.summary(DiagnosticStatus::ERROR,

@@ -46,6 +46,7 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
   std::string change(VehicleMode mode, const SetMode::Request& request);
   void require_readable(VehicleMode mode, const std::string& file) const;
   std::string file_of(VehicleMode mode, const std::string& wished) const;
+  void autosave();
   /// Returns the name of the state.
   std::string save_map() const;
   /// With the file as its parameter.
@@ -59,6 +60,8 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
   bool manager_answers_ = false, runs_ = false;
   std::size_t loads_ = 0;  // without being asked
   std::string trouble_;    // of loading
+  std::string unsaved_;    // why there is no newer state of mapping
+  ros::SteadyTime autosaved_;
   std::string published_;
   std::string refusal_;
   ros::SteadyTime refused_;

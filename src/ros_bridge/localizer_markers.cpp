@@ -54,18 +54,13 @@ void add_state(const std::vector<ActiveLandmark>& in_state, const std_msgs::Head
   append(std::move(faces), markers);
 }
 
-bool is_stranger(ObservationVerdict verdict) {
-  return verdict == ObservationVerdict::kNoLandmark ||
-         verdict == ObservationVerdict::kIncompatible || verdict == ObservationVerdict::kUnknownId;
-}
-
 void add_sight(const LocalizerReport& report, const Pose2& map_T_laser,
                const std_msgs::Header& header, MarkerArray& markers) {
   Marker used = marker_of(kUsed, Marker::LINE_LIST, header);
   Marker strangers = marker_of(kStrangers, Marker::LINE_LIST, header);
   for (const SeenLandmark& seen : report.seen) {
     const bool is_used = seen.verdict == ObservationVerdict::kUsed;
-    if (!is_used && !is_stranger(seen.verdict)) continue;
+    if (!is_used && !fits_nothing(seen.verdict)) continue;
     Marker& marker = is_used ? used : strangers;
     add_point(marker, map_T_laser.translation());
     add_point(marker, map_T_laser * seen.in_laser);

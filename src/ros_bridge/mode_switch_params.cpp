@@ -26,6 +26,9 @@ void validate(const ModeSwitchParams& params) {
                                 params.mapping_node);
   }
   file_below("/", params.save_as);
+  if (params.autosave_period != 0.0) {
+    require_in_range("autosave_period", params.autosave_period, 1.0, 1e6);
+  }
   require_in_range("check_period", params.check_period, 0.1, 60.0);
   require_in_range("refusal_shown_for", params.refusal_shown_for, 0.0, 1e6);
 }
@@ -35,7 +38,7 @@ ModeSwitchParams read_mode_switch_params(const XmlRpc::XmlRpcValue& tree, const 
   ParameterReader reader(tree, name);
   ModeSwitchParams params;
   visit_mode_switch_fields(params, reader);
-  unknown = reader.unknown({"num_worker_threads", "diagnostic_period"});
+  unknown = reader.unknown({"num_worker_threads", "diagnostic_period", kBeganWith});
   try {
     validate(params);
   } catch (const std::exception& error) {

@@ -23,6 +23,22 @@ bool all_finite(const LocalizerReport& report) {
          report.map_T_base->covariance.allFinite();
 }
 
+TEST(LocalizerParams, SeekReflectorsOfTheMapsDiameter) {
+  LandmarkMap map;
+  ReflectorDetectorParams reflectors;
+  EXPECT_EQ(take_diameter_of(map, reflectors), "");
+  map.landmarks.resize(2);
+  map.landmarks[0].kind = LandmarkKind::kFeature;
+  map.landmarks[0].layout.diameter = 0.5;
+  EXPECT_EQ(take_diameter_of(map, reflectors), "");
+  map.landmarks[1].layout.diameter = 0.06;
+  EXPECT_EQ(take_diameter_of(map, reflectors),
+            "reflectors have a diameter of 0.06 m, as the map says, not of 0.08 m, as the "
+            "parameters say");
+  EXPECT_EQ(reflectors.diameter, 0.06);
+  EXPECT_EQ(take_diameter_of(map, reflectors), "");
+}
+
 TEST(Localizer, FollowsADriveWithinCentimetres) {
   const LocalizerDrive& drive = LocalizerDrive::shared();
   Localizer localizer = drive.localizer_at_start();

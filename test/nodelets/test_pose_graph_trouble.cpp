@@ -90,7 +90,8 @@ TEST_F(PoseGraphNode, StopsItsTransformAfterThreeSecondsWithoutScans) {
     spin_until([] { return false; }, 0.002);
   }
   EXPECT_NEAR((client.to_map.back().header.stamp - last).toSec(), 3.1, 0.3);
-  EXPECT_TRUE(client.diagnosed("no message on /silence/scan for 1", kWarn)) << client.status.message;
+  EXPECT_TRUE(client.diagnosed("no message on /silence/scan for 1", kWarn))
+      << client.status.message;
   const std::size_t before = client.to_map.size();
   way.drive(client, 5);
   ASSERT_TRUE(all_came(client));

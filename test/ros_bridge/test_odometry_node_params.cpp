@@ -6,6 +6,7 @@
 
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/yaml_parameters.hpp"
+#include "falko_slam/simulation/vehicle_model.hpp"
 #include "support/field_values.hpp"
 
 namespace falko_slam {
@@ -40,6 +41,38 @@ TEST(ShippedOdometryYaml, HoldsTheDefaultsOfEveryField) {
 
   EXPECT_TRUE(reader.unknown().empty());
   EXPECT_EQ(values_of(params), values_of(OdometryNodeParams()));
+}
+
+// What launch/agv.launch gives to all nodelets of a vehicle.
+TEST(ShippedVehicleYaml, HoldsTheDefaultsOfAllThatAVehicleIs) {
+  const XmlRpc::XmlRpcValue tree =
+      read_parameter_file(FALKO_SLAM_SOURCE_DIR "/config/vehicles/tricycle.yaml");
+  VehicleParams params;
+  test::FieldChanger changer;  // whatever the file leaves out would stay changed
+  visit_vehicle_fields(params, changer);
+  params.calibration_file.clear();  // the two that are arguments of their own
+  params.encoder_source = VehicleParams().encoder_source;
+  ParameterReader reader(tree, "~");
+  visit_vehicle_fields(params, reader);
+  test::FieldValues read, defaults;
+  visit_vehicle_fields(params, read);
+  visit_vehicle_fields(VehicleParams(), defaults);
+
+  EXPECT_TRUE(reader.unknown().empty());
+  EXPECT_EQ(read.values(), defaults.values());
+}
+
+// What the simulated vehicle of the launch files is calibrated by.
+TEST(ShippedVehicleYaml, CalibrationOfTheSimulatedVehicleIsRight) {
+  VehicleParams params;
+  params.calibration_file = FALKO_SLAM_SOURCE_DIR "/config/vehicles/simulated.yaml";
+  const VehicleCalibration found = calibration_of(params, "");
+  const VehicleModel truth;
+
+  EXPECT_NEAR(found.base_T_laser.x(), truth.base_T_laser.x(), 0.001);
+  EXPECT_NEAR(found.base_T_laser.y(), truth.base_T_laser.y(), 0.001);
+  EXPECT_NEAR(found.base_T_laser.theta(), truth.base_T_laser.theta(), 3e-4);
+  EXPECT_NEAR(found.tricycle.driving_scale / truth.tricycle.driving_scale, 1.0, 1e-3);
 }
 
 TEST(OdometryNodeParams, GiveWhatTheVehicleIs) {

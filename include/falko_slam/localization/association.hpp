@@ -42,6 +42,8 @@ enum class ObservationVerdict {
   kTooNear,       ///< of none, but too near to one to tell them apart later
 };
 const char* name_of(ObservationVerdict verdict);
+/// It could have been used, but there is no landmark for it.
+bool fits_nothing(ObservationVerdict verdict);
 
 /// An observation and a landmark that may belong together.
 struct LandmarkPair {

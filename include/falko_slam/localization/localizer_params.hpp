@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "falko_slam/features/face_detector.hpp"
 #include "falko_slam/features/falko.hpp"
 #include "falko_slam/features/keypoint_noise.hpp"
@@ -9,6 +11,8 @@
 #include "falko_slam/localization/pose_history.hpp"
 
 namespace falko_slam {
+
+struct LandmarkMap;
 
 /// How sure observations make us of a pose, as log odds (PoseEvidence).
 struct PoseEvidenceParams {
@@ -128,5 +132,10 @@ struct LocalizerParams {
 };
 /// Throws std::invalid_argument with the field and its value.
 void validate(const LocalizerParams& params);
+
+/// Reflectors are sought by the diameter that they have on the map, whatever the parameters say:
+/// of another one they are not found, or in the wrong place. Returns what is to be told of it; ""
+/// if nothing changes.
+std::string take_diameter_of(const LandmarkMap& map, ReflectorDetectorParams& reflectors);
 
 }  // namespace falko_slam

@@ -18,6 +18,9 @@ enum class VehicleMode {
 };
 const EnumNames<VehicleMode>& vehicle_mode_names();
 
+/// Where the node remembers the state that mapping has begun with, among its parameters.
+constexpr char kBeganWith[] = "began_with";
+
 /// Parameters of the ModeSwitch node; what they mean stands in config/mode_switch.yaml.
 struct ModeSwitchParams {
   std::string manager = "falko_slam_manager";
@@ -25,6 +28,7 @@ struct ModeSwitchParams {
   std::string mapping_node = "pose_graph";
   std::string localization_node = "localizer";
   std::string save_as = "agv";
+  double autosave_period = 60.0;    ///< [s], 0 or [1, 1e6]
   double check_period = 1.0;        ///< [s], [0.1, 60]
   double refusal_shown_for = 60.0;  ///< [s], [0, 1e6]
 };
@@ -38,6 +42,7 @@ void visit_mode_switch_fields(Params& params, Visitor& visitor) {
   visitor.field("mapping_node", params.mapping_node);
   visitor.field("localization_node", params.localization_node);
   visitor.field("save_as", params.save_as);
+  visitor.field("autosave_period", params.autosave_period);
   visitor.field("check_period", params.check_period);
   visitor.field("refusal_shown_for", params.refusal_shown_for);
 }
