@@ -4,6 +4,7 @@
 // The core of the SLAM's callbacks: a drive round the office whose inputs are broken.
 #include "falko_slam/slam/feature_slam.hpp"
 
+#include "falko_slam/slam/slam_record.hpp"
 #include "fuzz/fuzz_targets.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/input_scan.hpp"
@@ -35,7 +36,8 @@ const std::vector<SlamScan>& office_drive() {
 
 // A pose as tf may bring it: any number that is one.
 Pose2 any_pose(InputNumbers& numbers) {
-  const double size = numbers.coin() ? 1.0 : 1e12;
+  constexpr double kSizes[] = {1.0, 1.0, 1e5, 1e12, 1e300};
+  const double size = kSizes[numbers.below(5)];
   return {numbers.within(size), numbers.within(size), numbers.within(kPi)};
 }
 
@@ -66,6 +68,14 @@ void propose(FeatureSlam& slam, InputNumbers& numbers) {
   try {
     slam.propose(target, source, pose);
   } catch (const std::invalid_argument&) {  // not there, or no estimate
+  }
+}
+
+void draw(const FeatureSlam& slam) {
+  try {
+    map_of(slam);
+  } catch (const std::invalid_argument&) {  // a pose farther away than any map
+  } catch (const std::runtime_error&) {     // more cells than any map has
   }
 }
 
@@ -102,6 +112,7 @@ void fuzz_slam(const std::string& input) {
     }
   }
   slam.finish();
+  draw(slam);
   for (const GraphNode& node : slam.graph().nodes) {
     require(node.map_T_node.translation().allFinite(), "poses are finite");
   }

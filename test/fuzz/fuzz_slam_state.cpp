@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "falko_slam/slam/slam_record.hpp"
 #include "fuzz/fuzz_targets.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/sealed_input.hpp"
@@ -38,6 +39,8 @@ void fuzz_slam_state(const std::string& input) {
     try {
       FeatureSlam slam({}, state);
       slam.finish();
+      map_of(slam);
+    } catch (const std::runtime_error&) {     // more cells than any map has
     } catch (const std::invalid_argument&) {  // the parts do not belong together
     }
   });

@@ -161,7 +161,7 @@ TEST_P(KeypointDetectorNodelet, TakesGoodParametersAndRefusesBadOnes) {
     call.request.config.doubles.resize(1);
     call.request.config.doubles[0].name = name;
     call.request.config.doubles[0].value = value;
-    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(10.0)));
+    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(10.0 * test::patience())));
     EXPECT_TRUE(ros::service::call(service, call));
     for (const auto& entry : call.response.config.doubles) {
       if (entry.name == name) return entry.value;
