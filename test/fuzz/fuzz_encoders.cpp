@@ -13,7 +13,7 @@ void falko_slam::fuzz::fuzz_encoders(const std::string& input) {
   encoders.steer_zero = numbers.any<std::uint16_t>();
   encoders.steer_gain = 1.0 + numbers.within(0.99);
   TricycleOdometryParams params;
-  params.max_wheel_speed = numbers.any<std::uint8_t>();
+  params.max_wheel_speed = static_cast<double>(numbers.below(101));
   TricycleOdometry odometry(TricycleParams{}, encoders, {}, params);
   while (!numbers.ended()) {
     const Time stamp = any_stamp(numbers);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <stdexcept>
@@ -17,9 +18,10 @@ namespace falko_slam {
 namespace fuzz {
 
 /// Writes the bytes to a file of this name, in a folder that all inputs share, and returns its
-/// path.
+/// path: in memory where there is such a place, as whole files are forced to the disk.
 inline std::string input_file(const std::string& name, const std::string& bytes) {
-  static const test::TemporaryFolder folder;
+  static const bool memory = std::filesystem::is_directory("/dev/shm");
+  static const test::TemporaryFolder folder(memory ? "/dev/shm" : "/tmp");
   std::ofstream out(folder.file(name), std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return folder.file(name);

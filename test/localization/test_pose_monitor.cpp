@@ -64,6 +64,13 @@ TEST_F(PoseMonitorTest, IsLostWhenScansContradict) {
   EXPECT_EQ(monitor_.evidence(), -params_.bound);
 }
 
+TEST_F(PoseMonitorTest, TakesAScanThatIsOlderThanTheWindow) {
+  monitor_.add(now_ - from_seconds(5.0), good_scan());
+  expect(LocalizationStatus::kDegraded, Reason::kUnconfirmed);
+  scans(3, good_scan());
+  expect(LocalizationStatus::kOk, Reason::kNone);
+}
+
 TEST_F(PoseMonitorTest, SaysWhichInputIsSilent) {
   scans(10, good_scan());
   expect(LocalizationStatus::kDegraded, Reason::kNoMotions, 0.4);
