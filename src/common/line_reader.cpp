@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <streambuf>
 
 namespace falko_slam {
 namespace {
@@ -17,6 +18,21 @@ namespace {
 bool ends_with(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() &&
          text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+// A kilobyte can unpack to a line that fills the memory. The scans of no scanner come near this.
+constexpr std::size_t kLongest = std::size_t{1} << 24U;
+
+// Up to the end of the line, or one byte more than the longest; false at the end of the file.
+bool read_line(std::streambuf& in, std::string& line) {
+  constexpr auto kEnd = std::streambuf::traits_type::eof();
+  line.clear();
+  for (auto letter = in.sbumpc(); letter != kEnd; letter = in.sbumpc()) {
+    if (letter == '\n') return true;
+    line.push_back(static_cast<char>(letter));
+    if (line.size() > kLongest) return true;
+  }
+  return false;
 }
 
 std::unique_ptr<std::istream> open_compressed(const std::string& path) {
@@ -39,13 +55,16 @@ std::unique_ptr<std::istream> open_compressed(const std::string& path) {
 LineReader::LineReader(const std::string& path) : path_(path), in_(open_compressed(path)) {}
 
 bool LineReader::next(std::string& line) {
+  bool whole = false;
   try {
-    if (!std::getline(*in_, line)) return false;
+    whole = read_line(*in_->rdbuf(), line);
   } catch (const std::exception& error) {
     throw std::runtime_error(path_ + ": damaged after line " + std::to_string(lines_) + ": " +
                              error.what());
   }
+  if (!whole && line.empty()) return false;
   ++lines_;
+  if (line.size() > kLongest) fail("is longer than " + std::to_string(kLongest) + " bytes");
   return true;
 }
 

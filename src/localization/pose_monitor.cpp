@@ -61,7 +61,9 @@ void PoseMonitor::add(Time stamp, const ScanEvidence& scan) {
   }
   last_scan_ = std::max(last_scan_, stamp);
   window_.push_back({stamp, scan.agreement});
-  while (older(last_scan_, window_.front().stamp, params_.window)) window_.pop_front();
+  while (!window_.empty() && older(last_scan_, window_.front().stamp, params_.window)) {
+    window_.pop_front();
+  }
 }
 
 PoseVerdict PoseMonitor::judge(Time now, const PoseEstimate& pose) const {

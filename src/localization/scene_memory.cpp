@@ -37,6 +37,7 @@ std::optional<double> SceneMemory::share_seen_again(const LaserScan& scan, Time 
 // range are not compared.
 double SceneMemory::share_in(const LaserScan& scan, const Pose2& laser_T_odom,
                              std::size_t& compared) const {
+  if (scan.size() < 2 || !(scan.angle_increment > 0.0)) return 1.0;
   const auto beams = static_cast<std::ptrdiff_t>(scan.size());
   std::size_t again = 0;
   for (const Eigen::Vector2d& point : points_) {

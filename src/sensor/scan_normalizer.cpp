@@ -17,6 +17,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Larger angles are no bearings of a scanner but garbage that would only lose precision.
 constexpr double kMaxAngle = 100.0;
 
+// No scanner has beams so near each other; keeps their count over a turn a number. [rad]
+constexpr double kMinIncrement = 1e-6;
+
 // No scanner sees farther; keeps arithmetic on ranges safe where range_max is unlimited. [m]
 constexpr double kMaxRange = 1e5;
 
@@ -43,12 +46,17 @@ BeamStatus classify(float range, const RangeLimits& limits, bool zero_is_no_retu
 
 bool plausible(double angle) { return std::abs(angle) <= kMaxAngle; }  // false for NaN
 
+bool plausible_increment(double angle) {
+  return plausible(angle) && std::abs(angle) >= kMinIncrement;
+}
+
 // The stated increment, or the one that spreads the beams from angle_min to angle_max.
 double angle_increment(const RawScan& raw, ScanReport& report) {
-  if (plausible(raw.angle_increment) && raw.angle_increment != 0.0) return raw.angle_increment;
+  if (plausible_increment(raw.angle_increment)) return raw.angle_increment;
   if (raw.range_count < 2 || !plausible(raw.angle_max)) return 0.0;
   report.angle_increment_derived = true;
-  return (raw.angle_max - raw.angle_min) / static_cast<double>(raw.range_count - 1);
+  const double derived = (raw.angle_max - raw.angle_min) / static_cast<double>(raw.range_count - 1);
+  return plausible_increment(derived) ? derived : 0.0;
 }
 
 // Longer than a scanner ever needs: such a time is an error of the driver.

@@ -84,6 +84,15 @@ def test_a_source_includes_its_own_header_first():
     assert not wrong
 
 
+def test_every_public_header_has_a_test():
+    tested = set()
+    for path in (SOURCE / "test").rglob("*.[ch]pp"):
+        tested.update(includes(path))
+    headers = [str(path.relative_to(SOURCE / "include"))
+               for path in sorted((SOURCE / "include").rglob("*.hpp"))]
+    assert [header for header in headers if header not in tested] == []
+
+
 def test_the_core_includes_no_ros():
     wrong = [f"{path.relative_to(SOURCE)} includes {include}" for path in sources()
              if room_of(path) not in ROOMS_WITH_ROS

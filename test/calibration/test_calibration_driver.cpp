@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "falko_slam/calibration/calibration_plan.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/simulated_vehicle.hpp"
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "calibration/arc_drives.hpp"
+#include "falko_slam/calibration/calibration_report.hpp"
 #include "falko_slam/calibration/monte_carlo.hpp"
 
 namespace falko_slam {

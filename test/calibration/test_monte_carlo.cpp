@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "calibration/arc_drives.hpp"
+#include "falko_slam/calibration/calibration_tally.hpp"
 #include "falko_slam/common/chi_square.hpp"
 
 namespace falko_slam {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "calibration/arc_drives.hpp"
+#include "falko_slam/calibration/calibration_noise.hpp"
 #include "falko_slam/calibration/monte_carlo.hpp"
 
 namespace falko_slam {

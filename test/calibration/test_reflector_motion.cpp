@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "falko_slam/calibration/reflector_motion.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "reflector_halls.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "falko_slam/calibration/scan_motion.hpp"
 #include "walled_halls.hpp"
 
 namespace falko_slam {

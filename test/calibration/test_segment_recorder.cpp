@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "falko_slam/calibration/recorded_segment.hpp"
 #include "falko_slam/evaluation/simulated_calibration.hpp"
 #include "falko_slam/geometry/angles.hpp"
 

@@ -48,6 +48,13 @@ TEST(LineReader, FailureNamesFileAndLine) {
   }
 }
 
+// A few kilobytes may unpack to more than there is memory.
+TEST(LineReader, RefusesALineThatNeverEnds) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("a.gz", "short\n" + std::string(20000000, '7'));
+  EXPECT_EQ(error_of(path), path + ": line 2: is longer than 16777216 bytes");
+}
+
 TEST(LineReader, NamesFilesThatAreMissingOrDamaged) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(error_of(folder.file("none")).find(folder.file("none") + ": cannot be read"), 0U);

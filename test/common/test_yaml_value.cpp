@@ -8,6 +8,7 @@
 #include <locale>
 #include <stdexcept>
 
+#include "falko_slam/common/enum_names.hpp"
 #include "falko_slam/common/yaml_fields.hpp"
 
 namespace falko_slam {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "falko_slam/evaluation/thesis_calibration.hpp"
+
 namespace falko_slam {
 namespace {
 

@@ -8,6 +8,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "falko_slam/features/keypoint.hpp"
+#include "falko_slam/sensor/surface_step.hpp"
+
 namespace falko_slam {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "falko_slam/evaluation/simulated_drive.hpp"
 #include "falko_slam/evaluation/surveyed_map.hpp"
@@ -35,6 +36,7 @@ class LocalizerDrive {
   }
 
   const LandmarkMap& map() const { return map_; }
+  const std::vector<DriveInputEvent>& events() const { return drive_.events; }
   Time at(double seconds) const { return drive_.truth.front().stamp + from_seconds(seconds); }
   Pose2 truth(Time stamp) const { return *truth_.interpolate(stamp, std::chrono::seconds(1)); }
 

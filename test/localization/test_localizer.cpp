@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "falko_slam/localization/localization_status.hpp"
+#include "falko_slam/localization/localizer_report.hpp"
 #include "localization/localizer_drive.hpp"
 
 namespace falko_slam {

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "falko_slam/map/grid_map.hpp"
 #include "support/hand_made_scans.hpp"
 #include "support/seeds.hpp"
 #include "support/synthetic_scans.hpp"

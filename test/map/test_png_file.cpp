@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "falko_slam/common/whole_file.hpp"
+#include "falko_slam/map/gray_image.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {

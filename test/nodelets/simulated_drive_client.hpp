@@ -55,7 +55,7 @@ class SimulatedDriveClient {
     const Time end = simulation_->time() + from_seconds(seconds);
     while (simulation_->time() < end && !done() && ros::ok()) {
       step();
-      spin_until([] { return false; }, kStep);
+      spin_for(kStep);
     }
     return done();
   }

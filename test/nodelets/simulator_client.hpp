@@ -42,7 +42,7 @@ class SimulatorClient {
       message.wheel_speed = wheel_speed;
       message.steering = steering;
       command_.publish(message);
-      spin_until([] { return false; }, 0.1);
+      spin_for(0.1);
     }
   }
   bool leads() const { return command_.getNumSubscribers() > 0; }

@@ -95,7 +95,7 @@ class SlamClient {
     advance(0.125);
     send_odometry(odom_T_base);
     send(scan_at(world_T_base));
-    spin_until([] { return false; }, 0.004);
+    spin_for(0.004);
   }
 
   /// The newest status, with `text` in its message, of level `level`.

@@ -115,7 +115,7 @@ TEST_F(Calibrated, APreemptedOneHaltsAndLeavesTheFileAlone) {
     ASSERT_FALSE(client().commands.empty());
     EXPECT_EQ(client().commands.back().wheel_speed, 0.0);
     const std::uint32_t ticks = client().ticks;
-    spin_until([] { return false; }, 0.3);
+    test::spin_for(0.3);
     EXPECT_EQ(client().ticks, ticks);
     EXPECT_EQ(read_whole_file(file()), before);
   }

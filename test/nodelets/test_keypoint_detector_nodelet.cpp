@@ -12,6 +12,7 @@
 
 #include "detector_client.hpp"
 #include "falko_slam/features/feature_extractor.hpp"
+#include "falko_slam/ros_bridge/laser_mount.hpp"
 #include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 
 namespace falko_slam {
@@ -160,7 +161,7 @@ TEST_P(KeypointDetectorNodelet, TakesGoodParametersAndRefusesBadOnes) {
     call.request.config.doubles.resize(1);
     call.request.config.doubles[0].name = name;
     call.request.config.doubles[0].value = value;
-    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(10.0)));
+    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(10.0 * test::patience())));
     EXPECT_TRUE(ros::service::call(service, call));
     for (const auto& entry : call.response.config.doubles) {
       if (entry.name == name) return entry.value;
@@ -218,6 +219,9 @@ TEST(KeypointDetectorOnCeiling, LearnsFromTfThatItHangsUpsideDown) {
     const auto answer = detector.ask(office_scan(360));
     return answer && answer->upside_down;
   }));
+  LaserMount mounts("base_link");
+  EXPECT_TRUE(spin_until([&] { return mounts.upside_down("laser").value_or(false); }));
+  EXPECT_FALSE(mounts.upside_down("laser_that_nobody_has"));
 }
 
 TEST(KeypointDetectorParameters, BadOnesKeepTheNodeletFromLoading) {

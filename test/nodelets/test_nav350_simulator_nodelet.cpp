@@ -82,7 +82,7 @@ TEST_F(Commanded, DrivesAsItIsLedAndHaltsWhenNobodyLeads) {
 
 TEST_F(Commanded, RefusesCommandsThatAreNotFinite) {
   client_.lead(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.5);
-  spin_until([] { return false; }, 1.0);
+  test::spin_for(1.0);
   EXPECT_EQ(speed_of(client_), 0.0);
   client_.lead(-0.4, 0.0, 1.5);
   EXPECT_LT(speed_of(client_), -0.2);

@@ -87,7 +87,7 @@ TEST_F(PoseGraphNode, StopsItsTransformAfterThreeSecondsWithoutScans) {
   for (int i = 0; i < 100; ++i) {
     client.advance(0.1);
     client.send_odometry(way.odometry());
-    spin_until([] { return false; }, 0.002);
+    test::spin_for(0.002);
   }
   EXPECT_NEAR((client.to_map.back().header.stamp - last).toSec(), 3.1, 0.3);
   EXPECT_TRUE(client.diagnosed("no message on /silence/scan for 1", kWarn))
@@ -112,7 +112,7 @@ TEST_F(PoseGraphNode, FindsItsPlaceAgainWhenTimeJumpsBack) {
   expect_stamps_rise(client.to_map);
   client.to_map.clear();
   client.set_time(begin);
-  spin_until([] { return false; }, 0.1);
+  test::spin_for(0.1);
   EXPECT_TRUE(client.to_map.empty());
   client.poses.clear();
   Way second;
@@ -203,7 +203,7 @@ TEST_F(PoseGraphNode, WorksWithoutOdometryAndSaysSo) {
   for (std::size_t i = 0; i < 50; ++i) {
     client.advance(0.125);
     client.send(client.scan_at(lap[i]));
-    spin_until([] { return false; }, 0.004);
+    test::spin_for(0.004);
   }
   ASSERT_TRUE(all_came(client));
   EXPECT_LT(error_of(client, lap[0].inverse() * lap[49]), 0.05);

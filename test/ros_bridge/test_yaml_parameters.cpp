@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <string>
+
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {
@@ -46,6 +49,25 @@ TEST(ParameterFile, IsNamedWhereItIsNone) {
   const std::string broken = folder.write("broken.yaml", "a: 1\nb: [1, 2\n");
   EXPECT_NE(complaint_of(broken).find(broken + ": "), std::string::npos);
   EXPECT_NE(complaint_of(broken).find("line 3"), std::string::npos) << complaint_of(broken);
+}
+
+// Ten lines of aliases that stand for 10^10 values.
+TEST(ParameterFile, RefusesMoreThanParametersEverAre) {
+  const test::TemporaryFolder folder;
+  std::string aliases = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (int i = 1; i < 10; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    aliases += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before;
+    for (int j = 1; j < 10; ++j) aliases += ", " + before;
+    aliases += "]\n";
+  }
+  const std::string many = folder.write("many.yaml", aliases);
+  EXPECT_NE(complaint_of(many).find("stands for too many values"), std::string::npos);
+  const std::string deep =
+      folder.write("deep.yaml", "a: " + std::string(100, '[') + std::string(100, ']') + "\n");
+  EXPECT_EQ(complaint_of(deep), deep + ": line 1: goes too deep");
+  const std::string big = folder.write("big.yaml", "a: " + std::string(2000000, 'x') + "\n");
+  EXPECT_EQ(complaint_of(big), big + ": is too big for a file of parameters");
 }
 
 }  // namespace

@@ -333,6 +333,19 @@ TEST(Normalize, RefusesAnglesThatAreNone) {
   EXPECT_EQ(message.normalize(scan).fault, ScanFault::kBadAngles);
 }
 
+// The beams of a turn would be more than any number counts.
+TEST(Normalize, TakesAnAngleIncrementOfNearlyNothingForNone) {
+  Message message({1.0F, 2.0F, 3.0F});
+  message.raw.angle_increment = 1e-38;
+  message.raw.angle_min = -0.1;
+  message.raw.angle_max = 0.1;
+  LaserScan scan;
+  EXPECT_TRUE(message.normalize(scan).angle_increment_derived);
+  EXPECT_NEAR(scan.angle_increment, 0.1, 1e-12);
+  message.raw.angle_max = message.raw.angle_min + 1e-38;
+  EXPECT_EQ(message.normalize(scan).fault, ScanFault::kBadAngles);
+}
+
 TEST(Normalize, CutsAScanOfManyTurnsToOne) {
   Message message(std::vector<float>(100000, 2.0F));
   message.raw.angle_increment = 0.01;

@@ -6,6 +6,7 @@
 
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/driver.hpp"
+#include "falko_slam/simulation/scenario.hpp"
 #include "rounded_path.hpp"
 #include "support/simulated_worlds.hpp"
 

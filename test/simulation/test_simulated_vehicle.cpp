@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "falko_slam/vehicle/wheel_command.hpp"
 #include "support/simulated_worlds.hpp"
 
 namespace falko_slam {

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "falko_slam/slam/slam_params.hpp"
 #include "support/hand_made_scans.hpp"
 #include "support/slam_drives.hpp"
 

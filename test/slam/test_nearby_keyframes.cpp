@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "falko_slam/common/keyframe_id.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "support/seeds.hpp"
 

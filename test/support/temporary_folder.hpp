@@ -20,10 +20,9 @@ namespace test {
 /// A folder of its own for one test, gone afterwards.
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    char name[] = "/tmp/falko_slam_test_XXXXXX";
-    if (mkdtemp(name) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
+  explicit TemporaryFolder(const std::string& parent = "/tmp")
+      : path_(parent + "/falko_slam_test_XXXXXX") {
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
   }
   ~TemporaryFolder() { std::system(("rm -rf " + path_).c_str()); }
   TemporaryFolder(const TemporaryFolder&) = delete;

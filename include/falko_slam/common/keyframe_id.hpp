@@ -18,9 +18,12 @@ struct KeyframeId {
 
 }  // namespace falko_slam
 
+// doxygen knows no std.
+/// \cond
 template <>
 struct std::hash<falko_slam::KeyframeId> {
   std::size_t operator()(falko_slam::KeyframeId id) const noexcept {
     return std::hash<std::uint64_t>()(id.value);
   }
 };
+/// \endcond

@@ -16,7 +16,7 @@ class LineReader {
   explicit LineReader(const std::string& path);
 
   /// False at the end. Throws std::runtime_error with the file's name where packed data are
-  /// damaged.
+  /// damaged or a line is longer than 16 MiB.
   bool next(std::string& line);
 
   std::size_t lines() const { return lines_; }  ///< read so far: the number of the last one

@@ -25,10 +25,10 @@ struct ExternalLandmark {
   int hits = 0;                                        ///< falls while it is not seen
 };
 
-/// Localization on a fixed map and an external dynamic map: Algorithm 1 of \cite
-/// kallasi2017, 5.4.1. For comparison: landmarks are put where the pose of the moment says and are
-/// then believed, so the covariance of the pose knows nothing of their errors and it drifts while
-/// it seems sure. LandmarkFilter keeps them in the state. Not thread-safe.
+/// Localization on a fixed map and an external dynamic map (\cite kallasi2017, 5.4.1, Algorithm 1).
+/// For comparison: landmarks are put where the pose of the moment says and are then believed, so
+/// the covariance of the pose knows nothing of their errors and it drifts while it seems sure.
+/// LandmarkFilter keeps them in the state. Not thread-safe.
 class ExternalMapFilter {
  public:
   /// Throws std::invalid_argument for params, or a pose or covariance that is none. `map` may be
