@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "falko_slam/calibration/calibration_file.hpp"
 #include "falko_slam/evaluation/surveyed_map.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
@@ -22,9 +23,21 @@ struct SimulateOptions {
   std::string out;
   std::string truth;
   std::string map;
+  std::string calibration;
   double survey_noise = 0.0;
   SimulationBagParams params;
 };
+
+// What a calibration without errors would find.
+StoredCalibration true_calibration(const VehicleModel& vehicle) {
+  StoredCalibration stored;
+  stored.calibration = {vehicle.tricycle, 1.0, vehicle.base_T_laser};
+  const CalibrationVector values = vector_of(stored.calibration);
+  for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
+    stored.intervals[i] = {values[static_cast<int>(i)], values[static_cast<int>(i)]};
+  }
+  return stored;
+}
 
 void simulate(const SimulateOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -32,6 +45,9 @@ void simulate(const SimulateOptions& options) {
   if (!options.map.empty()) {
     std::mt19937_64 random(options.params.seed);
     write_landmark_map(options.map, surveyed_map(scenario.world, options.survey_noise, random));
+  }
+  if (!options.calibration.empty()) {
+    write_calibration(options.calibration, true_calibration(scenario.vehicle));
   }
   Progress progress("scans");
   const SimulationBagReport report =
@@ -60,6 +76,8 @@ void add_simulate(CLI::App& app) {
                    "file for the true trajectory, as `evaluate slam --truth` reads it");
   verb->add_option("--map-out", options->map,
                    "file for the world's reflectors, as `localize --map` reads it");
+  verb->add_option("--calibration-out", options->calibration,
+                   "file for the vehicle's true parameters, as `localize --calibration` reads it");
   verb->add_option("--survey-noise", options->survey_noise,
                    "standard deviation of their coordinates in that file [m], default 0")
       ->check(number_in(0.0, 1.0));

@@ -101,3 +101,10 @@ def test_messages_in_tables_exist():
         plugin = f"{name}Nodelet" in PLUGINS
         action = name.endswith("ActionGoal")
         assert plugin or action or any(path.exists() for path in there), name
+
+
+def test_the_tuning_guide_names_parameters():
+    parameters = set(re.findall(r"^\| `([\w/]+)` \|", (SOURCE / "doc/parameters.md").read_text(), re.MULTILINE))
+    text = (SOURCE / "doc/tuning.md").read_text()
+    for name in set(re.findall(r"`([a-z_]+(?:/[a-z_]+)*)(?:: [^`]*)?`", text)):
+        assert any(known == name or known.endswith("/" + name) for known in parameters), name
