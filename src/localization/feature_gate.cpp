@@ -54,14 +54,20 @@ bool FeatureGate::add_of_map(std::size_t number, const SeenFeature& seen, Featur
     const Landmark& landmark = map_->landmarks()[place];
     if (landmark.kind != seen.kind) continue;
     const LandmarkState::Row row = row_of(pose_.pose, base_T_laser_, landmark, seen);
-    const Eigen::Matrix2d S = state_.innovation_covariance(row);
-    const double distance = row.innovation.dot(S.inverse() * row.innovation);
-    if (!(distance <= gate_)) continue;
+    const auto distance = distance_of(row);
+    if (!distance) continue;
     pairs.rows.push_back(row);
-    pairs.joint.pairs.push_back({number, number_of(place, pairs), distance});
+    pairs.joint.pairs.push_back({number, number_of(place, pairs), *distance});
     any = true;
   }
   return any;
+}
+
+std::optional<double> FeatureGate::distance_of(const LandmarkState::Row& row) const {
+  const Eigen::Matrix2d S = state_.innovation_covariance(row);
+  const double distance = row.innovation.dot(S.inverse() * row.innovation);
+  if (!(distance <= gate_)) return std::nullopt;
+  return distance;
 }
 
 // Small numbers: the search marks those that are taken.
@@ -99,11 +105,10 @@ bool FeatureGate::add_of_state(std::size_t number, const SeenFeature& seen,
     if (!may_be(i, std::sqrt(gate_) * (own + theirs) / share, seen)) continue;
     LandmarkState::Row row = row_of(pose_.pose, base_T_laser_, record, state_.mean_of(i), seen);
     row.landmark = i;
-    const Eigen::Matrix2d S = state_.innovation_covariance(row);
-    const double distance = row.innovation.dot(S.inverse() * row.innovation);
-    if (!(distance <= gate_)) continue;
+    const auto distance = distance_of(row);
+    if (!distance) continue;
     pairs.rows.push_back(row);
-    pairs.joint.pairs.push_back({number, static_cast<std::size_t>(i), distance});
+    pairs.joint.pairs.push_back({number, static_cast<std::size_t>(i), *distance});
     any = true;
   }
   return any;

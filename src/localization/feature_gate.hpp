@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "falko_slam/localization/landmark_index.hpp"
@@ -35,6 +36,8 @@ class FeatureGate {
  private:
   bool add_of_map(std::size_t number, const SeenFeature& seen, FeaturePairs& pairs);
   bool add_of_state(std::size_t number, const SeenFeature& seen, FeaturePairs& pairs) const;
+  /// Squared Mahalanobis distance of the innovation; nothing beyond the gate.
+  std::optional<double> distance_of(const LandmarkState::Row& row) const;
   bool may_be(int landmark, double reach, const SeenFeature& seen) const;
   std::size_t number_of(std::size_t place, FeaturePairs& pairs) const;
 

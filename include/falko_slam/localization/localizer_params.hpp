@@ -113,7 +113,8 @@ struct LocalizerParams {
   ReflectorDetectorParams reflectors;
   NaturalFeatureParams features;
   AssociationParams association;
-  /// Of the state. Its base_T_laser and association are those of this struct.
+  /// Of the state. Its base_T_laser and association are those of this struct, but that no search
+  /// takes more steps than the smaller `max_nodes` of both.
   LandmarkFilterParams landmarks;
   PoseHistoryParams history;
   PoseMonitorParams monitor;
