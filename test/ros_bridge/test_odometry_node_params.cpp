@@ -56,7 +56,8 @@ TEST(ShippedVehicleYaml, HoldsTheDefaultsOfAllThatAVehicleIs) {
   visit_vehicle_fields(params, reader);
   test::FieldValues read, defaults;
   visit_vehicle_fields(params, read);
-  visit_vehicle_fields(VehicleParams(), defaults);
+  const VehicleParams untouched;
+  visit_vehicle_fields(untouched, defaults);
 
   EXPECT_TRUE(reader.unknown().empty());
   EXPECT_EQ(read.values(), defaults.values());
