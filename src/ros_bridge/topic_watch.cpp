@@ -88,13 +88,16 @@ TopicWatch::TopicWatch(HeardTopic topic, double now, double timeout, AskMaster a
 void TopicWatch::heard(double now) {
   last_ = now;
   answer_.reset();
+  outdated_ = question_.valid();
 }
 
 void TopicWatch::ask() {
   if (question_.valid()) {
     if (question_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    answer_ = question_.get();
+    std::optional<TopicDirectory> answer = question_.get();
+    if (!outdated_) answer_ = std::move(answer);
   }
+  outdated_ = false;
   question_ = std::async(std::launch::async, ask_);
 }
 

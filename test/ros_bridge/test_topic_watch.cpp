@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 namespace falko_slam {
 namespace {
@@ -50,8 +52,17 @@ class TopicWatchTest : public ::testing::Test {
     return watch_.trouble(now);
   }
 
+  void master_says(std::optional<TopicDirectory> directory) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    directory_ = std::move(directory);
+  }
+
+  std::mutex mutex_;  // the master is asked by another thread
   std::optional<TopicDirectory> directory_ = TopicDirectory{};
-  TopicWatch watch_{kScan, 100.0, 1.5, [this] { return directory_; }};
+  TopicWatch watch_{kScan, 100.0, 1.5, [this] {
+                      const std::lock_guard<std::mutex> lock(mutex_);
+                      return directory_;
+                    }};
 };
 
 TEST_F(TopicWatchTest, IsContentWhileMessagesCome) {
@@ -68,8 +79,16 @@ TEST_F(TopicWatchTest, NamesTopicAndCause) {
   EXPECT_FALSE(watch_.cause());
 }
 
+// Between two silences the system may have become another one.
+TEST_F(TopicWatchTest, ForgetsWhatTheMasterSaidOfAnEarlierSilence) {
+  answered(102.0);
+  watch_.heard(102.1);
+  master_says(TopicDirectory{{"/scan", {kScanType, {"/a"}}}});
+  EXPECT_EQ(answered(105.1), "no message on /scan for 3.0 s: /a should publish it, but is silent");
+}
+
 TEST_F(TopicWatchTest, NamesTheTopicWithoutAnAnswerOfTheMaster) {
-  directory_.reset();
+  master_says({});
   EXPECT_EQ(answered(102.0), "no message on /scan for 2.0 s");
 }
 

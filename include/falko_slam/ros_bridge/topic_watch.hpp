@@ -78,6 +78,7 @@ class TopicWatch {
   AskMaster ask_;
   double last_;  // message, or the beginning
   std::future<std::optional<TopicDirectory>> question_;
+  bool outdated_ = false;  // messages came after the question
   std::optional<TopicDirectory> answer_;
 };
 
