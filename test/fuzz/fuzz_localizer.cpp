@@ -14,7 +14,7 @@ namespace falko_slam {
 namespace fuzz {
 namespace {
 
-constexpr int kMostScans = 16;  // they are what costs time
+constexpr int kMostScans = 10;  // they are what costs time
 
 class Player {
  public:
