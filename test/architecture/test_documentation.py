@@ -48,7 +48,9 @@ def sources_of(type_name):
 def names_in_code(type_name):
     used = set()
     for path in sources_of(type_name):
-        used |= set(re.findall(r"topics::(k\w+)", path.read_text()))
+        for statement in path.read_text().split(";"):
+            if re.search(r"advertise|ubscribe", statement):
+                used |= set(re.findall(r"topics::(k\w+)", statement))
     return {CONSTANTS[name] for name in used}
 
 
