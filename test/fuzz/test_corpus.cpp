@@ -49,7 +49,7 @@ TEST_P(FuzzTarget, TakesItsCorpus) {
 TEST_P(FuzzTarget, TakesNothing) { GetParam().run(""); }
 
 INSTANTIATE_TEST_SUITE_P(All, FuzzTarget, ::testing::ValuesIn(kTargets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace
 }  // namespace falko_slam
