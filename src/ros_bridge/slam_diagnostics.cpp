@@ -80,7 +80,6 @@ void SlamDiagnostics::summarize(DiagnosticStatusWrapper& status, const Clock& no
                   use_odometry_ ? "" : ", without odometry");
   const auto warn = [&](const std::string& text) { status.summary(DiagnosticStatus::WARN, text); };
   if (keyframes_ > 0 && !anchored_) warn("the drive's place in the map is not known yet");
-  if (!warning_.empty()) warn(warning_);
   if (window_.lost > 0) {
     warn(std::to_string(window_.lost) + " scans fitted nowhere" +
          (use_odometry_ ? ", odometry alone was believed" : ""));
@@ -92,6 +91,8 @@ void SlamDiagnostics::summarize(DiagnosticStatusWrapper& status, const Clock& no
   if (paused_) warn("paused");
   if (silence(now) > timeout_) warn(tally_.watch().describe(silence(now)));
   tally_.summarize(status, now.steady);
+  // Has nothing to do with the scans, and is not to be hidden by them.
+  if (!warning_.empty()) status.mergeSummary(DiagnosticStatus::WARN, warning_);
   if (!window_.failure.empty()) status.summary(DiagnosticStatus::ERROR, window_.failure);
 }
 
