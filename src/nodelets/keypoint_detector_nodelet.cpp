@@ -11,6 +11,7 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/reconfigure.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
@@ -18,8 +19,6 @@ namespace {
 constexpr std::uint32_t kScanQueue = 10;
 constexpr std::uint32_t kOutputQueue = 10;
 constexpr double kWarningPeriod = 5.0;  // [s]
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

@@ -13,12 +13,12 @@
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
 #include "real_time.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
 
 constexpr std::uint32_t kQueue = 10;
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 constexpr double kSilencePeriod = 0.1;  // of looking for one [s]
 

@@ -19,14 +19,13 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
 
 constexpr std::uint32_t kQueue = 100;
 constexpr double kWarningPeriod = 5.0;  // [s]
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

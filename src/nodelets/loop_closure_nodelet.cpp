@@ -9,6 +9,7 @@
 #include "falko_slam/ros_bridge/loop_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
@@ -17,8 +18,6 @@ constexpr std::uint32_t kScanQueue = 20;
 constexpr std::uint32_t kOutputQueue = 100;
 constexpr double kWarningPeriod = 5.0;  // [s]
 constexpr double kTimerPeriod = 1.0;    // of diagnostics and markers [s]
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

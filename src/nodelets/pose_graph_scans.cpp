@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "pose_graph_nodelet.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;   // [s]
 constexpr double kConflictShown = 10.0;  // [s]
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

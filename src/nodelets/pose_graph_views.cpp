@@ -7,6 +7,7 @@
 
 #include "falko_slam/ros_bridge/graph_markers.hpp"
 #include "pose_graph_nodelet.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 constexpr std::chrono::seconds kPeriod{1};
 // The map is drawn during one of so many parts of the time, at most.
 constexpr double kShare = 5.0;
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 

@@ -7,14 +7,9 @@
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "pose_graph_nodelet.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
-namespace {
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
-
-}  // namespace
-
 void PoseGraphNodelet::work() {
   while (const auto input = queue_->pop()) {
     try {

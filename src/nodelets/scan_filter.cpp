@@ -1,6 +1,7 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_filter.hpp"
+#include "steady_now.hpp"
 
 #include <boost/make_shared.hpp>
 #include <utility>
@@ -10,8 +11,6 @@ namespace {
 
 constexpr double kAftermath = 10.0;      // of a jump of time [s]
 constexpr double kClockTolerance = 1.0;  // time may step back by this [s]
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 class QueuedAction : public ros::CallbackInterface {
  public:

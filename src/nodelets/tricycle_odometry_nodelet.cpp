@@ -10,6 +10,7 @@
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 constexpr std::uint32_t kQueue = 100;
 constexpr double kWarningPeriod = 5.0;                         // [s]
 constexpr Duration kClockTolerance = std::chrono::seconds(1);  // stamps may step back by this
-
-double steady_now() { return ros::SteadyTime::now().toSec(); }
 
 }  // namespace
 
