@@ -49,9 +49,10 @@ struct Halt {
 /// The rear axle follows the path: the curvature of the way is the path's less feedback of the
 /// distance e and of the angle phi to it, kappa = kappa_path - e / r^2 -+ 2 phi / r (- forwards, +
 /// backwards), critically damped over the way r = response + response_time * speed, however fast
-/// the vehicle drives. It brakes so that it stands at the end of each path, and stands at once
-/// while there is no pose. The paths are the same for all vehicles: each begins where the one
-/// before ends, the first one where the vehicle is.
+/// the vehicle drives. It slows down for curves, and while the wheel is not yet steered as it
+/// should be; it brakes so that it stands at the end of each path, and at once while there is no
+/// pose. The paths are the same for all vehicles: each begins where the one before ends, the first
+/// one where the vehicle is.
 class LayoutFollower {
  public:
   /// Throws std::invalid_argument for parameters that are none, or a layout without steps.
