@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTurnThatTellsTheWay = 0.1;  // [rad]
 // Least share of a pivot that is no rounding.
-constexpr double kRegular = 1e-12;
+constexpr double kLeastIndependent = 1e-12;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ std::optional<Pose2> calibrate_laser_pose(const std::vector<PathSegment>& segmen
     P_ang += Eigen::Vector2d(s.dot(r), s.x() * r.y() - s.y() * r.x());
   }
   const double independent = m_1 * m_4 - m_2 * m_2 - m_3 * m_3;  // m_1 mu_2
-  if (!(m_1 > 0.0 && independent > kRegular * m_1 * m_4)) return std::nullopt;
+  if (!(m_1 > 0.0 && independent > kLeastIndependent * m_1 * m_4)) return std::nullopt;
   Eigen::Matrix2d coupling;
   coupling << m_2, -m_3, m_3, m_2;
   const Eigen::Vector2d num = P_ang - coupling.transpose() * P_pos / m_1;

@@ -11,7 +11,7 @@ namespace falko_slam {
 namespace {
 
 // Greatest quotient of the eigenvalues of M that still means something in double precision.
-constexpr double kRegular = 1e12;
+constexpr double kWorstCondition = 1e12;
 
 // One direction's block of M and P, (2.20), (2.21).
 struct NormalEquations {
@@ -42,7 +42,8 @@ struct DiagonalBlock {
     psi_of_xi = V * signs.asDiagonal();
     d = (psi_of_xi.transpose() * M * psi_of_xi).diagonal();
     c = -VP.cwiseAbs();
-    regular = d.minCoeff() > 0.0 && d.maxCoeff() < kRegular * d.minCoeff() && VP.norm() > 0.0;
+    regular =
+        d.minCoeff() > 0.0 && d.maxCoeff() < kWorstCondition * d.minCoeff() && VP.norm() > 0.0;
   }
 
   // (2.24) with w the sign of the block in the constraint.

@@ -9,7 +9,7 @@
 namespace falko_slam {
 namespace {
 
-enum class Sight { kPaired, kContradicts, kUnknown };
+enum class PieceSight { kPaired, kContradicts, kUnknown };
 
 std::optional<std::size_t> beam_towards(const WallScan& scan, const Eigen::Vector2d& point) {
   return scan.beam_at(std::atan2(point.y(), point.x()));
@@ -28,34 +28,34 @@ std::optional<WallPiece> piece_between(const WallScan& target, std::size_t wall,
   return target.piece(wall, a, b);
 }
 
-Sight compare(const WallScan& target, const WallScan& source, const WallPiece& piece,
-              const Pose2& target_T_source, const WallGate& gate, WallPair& pair) {
+PieceSight compare(const WallScan& target, const WallScan& source, const WallPiece& piece,
+                   const Pose2& target_T_source, const WallGate& gate, WallPair& pair) {
   const StraightWall& source_wall = source.walls()[piece.wall];
   const Eigen::Vector2d middle = target_T_source * piece.middle;
   const Eigen::Vector2d normal = target_T_source.rotation() * source_wall.normal;
-  if (normal.dot(middle) >= 0.0) return Sight::kUnknown;  // its other side
+  if (normal.dot(middle) >= 0.0) return PieceSight::kUnknown;  // its other side
   const auto beam = beam_towards(target, middle);
-  if (!beam || target.range(*beam) <= 0.0) return Sight::kUnknown;
+  if (!beam || target.range(*beam) <= 0.0) return PieceSight::kUnknown;
   const double beyond = target.range(*beam) - middle.norm();
   const double slant = std::max(0.05, -normal.dot(middle) / middle.norm());
   // The beam may look past the middle by a beam.
   const double tolerance = (gate.distance + middle.norm() * target.angle_increment()) / slant;
-  if (beyond < -tolerance) return Sight::kUnknown;  // hidden
-  if (beyond > tolerance) return Sight::kContradicts;
+  if (beyond < -tolerance) return PieceSight::kUnknown;  // hidden
+  if (beyond > tolerance) return PieceSight::kContradicts;
   const auto wall = target.wall_at(*beam);
-  if (!wall) return Sight::kUnknown;
+  if (!wall) return PieceSight::kUnknown;
   const StraightWall& target_wall = target.walls()[*wall];
-  if (normal.dot(target_wall.normal) < std::cos(gate.angle)) return Sight::kContradicts;
+  if (normal.dot(target_wall.normal) < std::cos(gate.angle)) return PieceSight::kContradicts;
 
   const Eigen::Vector2d along(normal.y(), -normal.x());  // the way of the beams
   const double half = 0.5 * pair.length;
   const auto same = piece_between(target, *wall, middle - half * along, middle + half * along);
-  if (!same) return Sight::kUnknown;
+  if (!same) return PieceSight::kUnknown;
   const Eigen::Vector2d between = middle - same->middle;
-  if (std::abs(along.dot(between)) > half) return Sight::kUnknown;
+  if (std::abs(along.dot(between)) > half) return PieceSight::kUnknown;
   const Eigen::Vector2d n = (normal + target_wall.normal).normalized();
   pair.distance = n.dot(between);
-  if (std::abs(pair.distance) > gate.distance) return Sight::kContradicts;
+  if (std::abs(pair.distance) > gate.distance) return PieceSight::kContradicts;
   const Eigen::Vector2d arm = middle - target_T_source.translation();
   const Eigen::Vector2d t(-n.y(), n.x());
   pair.gradient << n, n.y() * arm.x() - n.x() * arm.y();
@@ -63,7 +63,7 @@ Sight compare(const WallScan& target, const WallScan& source, const WallPiece& p
   pair.variance = piece.variance + same->variance;
   pair.angle_variance = 0.25 * (source_wall.angle_variance + target_wall.angle_variance);
   pair.part = piece.part;
-  return Sight::kPaired;
+  return PieceSight::kPaired;
 }
 
 }  // namespace
@@ -75,13 +75,13 @@ WallPairs pair_walls(const WallScan& target, const WallScan& source, const Pose2
     WallPair pair;
     pair.length = source.length_of(piece);
     switch (compare(target, source, piece, target_T_source, gate, pair)) {
-      case Sight::kPaired:
+      case PieceSight::kPaired:
         result.pairs.push_back(pair);
         break;
-      case Sight::kContradicts:
+      case PieceSight::kContradicts:
         result.contradicting_length += pair.length;
         break;
-      case Sight::kUnknown:
+      case PieceSight::kUnknown:
         break;
     }
   }

@@ -127,7 +127,7 @@ void print_published(const CalibrationStudy& study) {
   std::printf("A deviation of the thesis is of 3 or 4 calibrations, good to about half of it.\n");
 }
 
-nlohmann::json as_json(const ParameterStatistics& statistics) {
+nlohmann::json json_of(const ParameterStatistics& statistics) {
   nlohmann::json json = {{"closed_form_deviation", statistics.closed_form_deviation},
                          {"deviation", statistics.deviation},
                          {"bias", statistics.bias},
@@ -137,12 +137,12 @@ nlohmann::json as_json(const ParameterStatistics& statistics) {
   return json;
 }
 
-nlohmann::json as_json(const PublishedCalibration& published, Parameter parameter) {
+nlohmann::json json_of(const PublishedCalibration& published, Parameter parameter) {
   const auto row = static_cast<Eigen::Index>(index_of(parameter));
   return {{"mean", published.mean[row]}, {"deviation", published.deviation[row]}};
 }
 
-nlohmann::json as_json(const StudiedCondition& studied) {
+nlohmann::json json_of(const StudiedCondition& studied) {
   const MonteCarloReport& report = studied.report;
   nlohmann::json json = {{"number", studied.number},
                          {"arcs_per_phase", report.condition.arcs_per_phase},
@@ -156,9 +156,9 @@ nlohmann::json as_json(const StudiedCondition& studied) {
                          {"mean_chi2", report.mean_chi2}};
   for (const Column& column : kColumns) {
     nlohmann::json& here = json["parameters"][name_of(column.parameter)];
-    here = as_json(report.parameters[index_of(column.parameter)]);
-    here["table_5_1"] = as_json(studied.published.standard, column.parameter);
-    here["table_5_2"] = as_json(studied.published.asymmetric, column.parameter);
+    here = json_of(report.parameters[index_of(column.parameter)]);
+    here["table_5_1"] = json_of(studied.published.standard, column.parameter);
+    here["table_5_2"] = json_of(studied.published.asymmetric, column.parameter);
   }
   return json;
 }
@@ -177,7 +177,7 @@ nlohmann::json as_json(const CalibrationStudy& study) {
       {"model", study.model == TricycleModel::kStandard ? "standard" : "asymmetric"},
       {"conditions", nlohmann::json::array()}};
   for (const StudiedCondition& condition : study.conditions) {
-    json["conditions"].push_back(as_json(condition));
+    json["conditions"].push_back(json_of(condition));
   }
   for (const Column& column : kColumns) {
     const StudiedParameter all = over_all(study, column.parameter, study.model);

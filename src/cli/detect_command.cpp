@@ -37,7 +37,7 @@ struct Tally {
   nlohmann::json list = nlohmann::json::array();
 };
 
-nlohmann::json as_json(const FeatureExtractor& extractor, const RawScan& raw) {
+nlohmann::json json_of(const FeatureExtractor& extractor, const RawScan& raw) {
   nlohmann::json keypoints = nlohmann::json::array();
   for (const DescribedKeypoint& feature : extractor.features()) {
     const Keypoint& k = feature.keypoint;
@@ -61,7 +61,7 @@ void detect_in(FeatureExtractor& extractor, const RawScan& raw, bool list, Tally
   for (std::size_t i = 0; i < kBeamStatusCount; ++i) tally.beams[i] += report.status_count[i];
   tally.keypoints += extractor.features().size();
   tally.microseconds.push_back(time.count());
-  if (list) tally.list.push_back(as_json(extractor, raw));
+  if (list) tally.list.push_back(json_of(extractor, raw));
 }
 
 void print(const Tally& tally) {

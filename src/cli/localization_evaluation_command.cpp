@@ -47,7 +47,7 @@ void print_report(int robot, const MrclamRun& run, const MrclamEvaluation& e) {
             << std::defaultfloat << std::setprecision(6);
 }
 
-nlohmann::json as_json(int robot, const MrclamEvaluation& e) {
+nlohmann::json json_of(int robot, const MrclamEvaluation& e) {
   const auto rmse = [](const PoseRmse& of) {
     return nlohmann::json{{"position", of.position}, {"heading", of.heading}};
   };
@@ -73,7 +73,7 @@ void evaluate_mrclam_runs(EvaluateLocalizationOptions& options) {
     const MrclamRun run = read_mrclam(options.mrclam, robot);
     const MrclamEvaluation evaluation = evaluate_mrclam(run, options.params);
     print_report(robot, run, evaluation);
-    document.push_back(as_json(robot, evaluation));
+    document.push_back(json_of(robot, evaluation));
   }
   std::cout << describe_resources() << "\n";
   if (!options.json.empty()) write_json(options.json, document);

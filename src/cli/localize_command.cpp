@@ -43,7 +43,7 @@ LocalizerParams read_parameters(const LocalizeOptions& options, const LandmarkMa
   return params;
 }
 
-nlohmann::json as_json(const ErrorSummary& errors) {
+nlohmann::json json_of(const ErrorSummary& errors) {
   return {{"count", errors.count},
           {"rms", errors.rms},
           {"mean", errors.mean},
@@ -51,7 +51,7 @@ nlohmann::json as_json(const ErrorSummary& errors) {
           {"median", errors.median}};
 }
 
-nlohmann::json as_json(const LocalizeRun& run, const LocalizationRecording& recording) {
+nlohmann::json json_of(const LocalizeRun& run, const LocalizationRecording& recording) {
   nlohmann::json status;
   for (std::size_t i = 0; i < run.status().size(); ++i) {
     status[name_of(static_cast<LocalizationStatus>(i))] = run.status()[i];
@@ -63,8 +63,8 @@ nlohmann::json as_json(const LocalizeRun& run, const LocalizationRecording& reco
                              {"mean_seconds_per_scan", run.mean_seconds()},
                              {"max_seconds_per_scan", run.max_seconds()}};
   if (!run.errors().translation.empty()) {
-    document["position_error"] = as_json(summarise(run.errors().translation));
-    document["heading_error"] = as_json(summarise(run.errors().rotation));
+    document["position_error"] = json_of(summarise(run.errors().translation));
+    document["heading_error"] = json_of(summarise(run.errors().rotation));
   }
   return document;
 }
@@ -133,9 +133,9 @@ void localize(LocalizeOptions options) {
   std::filesystem::create_directories(options.out);
   write_tum(options.out + "/trajectory.tum", run.trajectory());
   write_whole_file(options.out + "/status.csv", run.table());
-  write_json(options.out + "/report.json", as_json(run, recording));
+  write_json(options.out + "/report.json", json_of(run, recording));
   print(run, recording, options);
-  if (!options.json.empty()) write_json(options.json, as_json(run, recording));
+  if (!options.json.empty()) write_json(options.json, json_of(run, recording));
 }
 
 void add_reading(CLI::App* verb, LocalizationRecordingParams& reading) {

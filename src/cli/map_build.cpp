@@ -104,7 +104,7 @@ void print(const FeatureMapReport& report, std::size_t known) {
               report.features, report.keypoints_of_features, known);
 }
 
-nlohmann::json as_json(const FeatureMapReport& report, std::size_t without_pose) {
+nlohmann::json json_of(const FeatureMapReport& report, std::size_t without_pose) {
   return {{"scans", report.scans},
           {"without_pose", without_pose},
           {"viewpoints", report.viewpoints},
@@ -151,7 +151,7 @@ void build_map(const MapBuildOptions& options) {
     std::printf("wrote %s: %s\n", options.out.c_str(), describe_resources().c_str());
   }
   if (!options.json.empty()) {
-    write_json(options.json, as_json(result.report, mapping.without_pose()));
+    write_json(options.json, json_of(result.report, mapping.without_pose()));
   }
 }
 

@@ -29,7 +29,7 @@ Spread spread_of(std::vector<double> values) {
   return {values.front(), values[values.size() / 2], values.back()};
 }
 
-nlohmann::json as_json(const Spread& spread) {
+nlohmann::json json_of(const Spread& spread) {
   return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}};
 }
 
@@ -93,13 +93,13 @@ void print(const char* kind, const KindSummary& summary) {
               summary.hits.median);
 }
 
-nlohmann::json as_json(const KindSummary& summary) {
+nlohmann::json json_of(const KindSummary& summary) {
   return {{"count", summary.count},
-          {"x", as_json(summary.x)},
-          {"y", as_json(summary.y)},
-          {"deviation", as_json(summary.deviation)},
+          {"x", json_of(summary.x)},
+          {"y", json_of(summary.y)},
+          {"deviation", json_of(summary.deviation)},
           {"without_covariance", summary.without_covariance},
-          {"hits", as_json(summary.hits)}};
+          {"hits", json_of(summary.hits)}};
 }
 
 void say_what_imk_loses(const LandmarkMap& map, std::size_t features) {
@@ -127,7 +127,7 @@ void inspect_map(const std::string& path, const std::string& json) {
     }
   }
   if (!json.empty()) {
-    write_json(json, {{"reflectors", as_json(reflectors)}, {"features", as_json(features)}});
+    write_json(json, {{"reflectors", json_of(reflectors)}, {"features", json_of(features)}});
   }
 }
 

@@ -99,7 +99,7 @@ void print(const G2oFile& file, const Result& result) {
               result.solve_milliseconds);
 }
 
-nlohmann::json as_json(const G2oFile& file, const Result& result) {
+nlohmann::json json_of(const G2oFile& file, const Result& result) {
   const OptimizationSummary& summary = result.summary;
   nlohmann::json document{{"nodes", result.guess.graph.nodes.size()},
                           {"edges", result.guess.graph.constraints.size()},
@@ -143,7 +143,7 @@ void optimize(OptimizeOptions options) {
     print(file, result);
     std::printf("%s\n", describe_resources().c_str());
   }
-  if (!options.json.empty()) write_json(options.json, as_json(file, result));
+  if (!options.json.empty()) write_json(options.json, json_of(file, result));
 }
 
 }  // namespace

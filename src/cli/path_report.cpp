@@ -21,7 +21,7 @@ namespace {
 
 using Options = SimulatedLocalizationOptions;
 // By path, by method; a run for each seed.
-using Runs = std::map<std::string, std::map<PathMethod, std::vector<PathRun>>>;
+using PathRuns = std::map<std::string, std::map<PathMethod, std::vector<PathRun>>>;
 
 std::vector<PathMethod> methods_of(const Options& options) {
   std::vector<PathMethod> methods = {PathMethod::kState, PathMethod::kExternalMap,
@@ -30,9 +30,9 @@ std::vector<PathMethod> methods_of(const Options& options) {
   return methods;
 }
 
-Runs run_all(const Options& options, const Scenario& scenario) {
+PathRuns run_all(const Options& options, const Scenario& scenario) {
   const LocalizerParams params = parameters_of(options, scenario.world);
-  Runs runs;
+  PathRuns runs;
   for (const std::uint64_t seed : options.seeds) {
     const SimulatedDrive drive = drive_of(options, scenario, seed);
     if (drive.legs.empty()) {
@@ -77,7 +77,7 @@ WorstOf worst_of(const std::vector<PathRun>& runs) {
   return worst;
 }
 
-void print(const Runs& runs) {
+void print(const PathRuns& runs) {
   std::printf(
       "                                 within   worst at the operation point           mean  "
       "worst on the way\n"
@@ -96,7 +96,7 @@ void print(const Runs& runs) {
   }
 }
 
-nlohmann::json as_json(const Options& options, const Runs& runs) {
+nlohmann::json json_of(const Options& options, const PathRuns& runs) {
   nlohmann::json list = nlohmann::json::array();
   for (const auto& [path, by_method] : runs) {
     for (const auto& [method, all] : by_method) {
@@ -122,10 +122,10 @@ nlohmann::json as_json(const Options& options, const Runs& runs) {
 void evaluate_simulated_paths(const Options& options, const Scenario& scenario) {
   std::printf("%s, scatter x %g, bulge x %g, survey noise %.1f mm\n", options.scenario.c_str(),
               options.variation.scatter, options.variation.bulge, 1e3 * options.survey_noise);
-  const Runs runs = run_all(options, scenario);
+  const PathRuns runs = run_all(options, scenario);
   print(runs);
   std::printf("%s\n", describe_resources().c_str());
-  if (!options.json.empty()) write_json(options.json, as_json(options, runs));
+  if (!options.json.empty()) write_json(options.json, json_of(options, runs));
 }
 
 }  // namespace cli

@@ -56,7 +56,7 @@ void evaluate_precision(const EvaluatePrecisionOptions& options) {
               1e3 * options.survey_noise, static_cast<unsigned long long>(options.seed));
   print_precision(runs);
   std::printf("%s\n", describe_resources().c_str());
-  if (!options.json.empty()) write_json(options.json, precision_as_json(runs));
+  if (!options.json.empty()) write_json(options.json, as_json(runs));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace falko_slam {
 namespace cli {
 namespace {
 
-using Runs = std::vector<PrecisionRun>;
+using PrecisionRuns = std::vector<PrecisionRun>;
 
 VehicleCalibration truth_of(const PrecisionRun& run) {
   return {run.vehicle.model.tricycle, 1.0, run.vehicle.model.base_T_laser};
@@ -29,7 +29,7 @@ void print_parameters(const char* what, const VehicleCalibration& calibration) {
               100.0 * radians_to_degrees(calibration.base_T_laser.theta()));
 }
 
-void print_vehicles(const Runs& runs) {
+void print_vehicles(const PrecisionRuns& runs) {
   std::printf("                alpha_F  alpha_B        s_w      l_x     l_y  l_theta\n");
   std::printf("                 [cdeg]   [cdeg]  [mm/tick]     [mm]    [mm]   [cdeg]\n");
   for (const PrecisionRun& run : runs) {
@@ -40,7 +40,7 @@ void print_vehicles(const Runs& runs) {
   }
 }
 
-void print_drives(const Runs& runs) {
+void print_drives(const PrecisionRuns& runs) {
   std::printf("\n%-16s halts  seconds  scans OK [%%]  cross-track, own pose [mm]\n", "");
   for (const PrecisionRun& run : runs) {
     const double scans = static_cast<double>(std::max<std::size_t>(1, run.drive.scans));
@@ -51,7 +51,7 @@ void print_drives(const Runs& runs) {
   }
 }
 
-void print_halts(const Runs& runs, const std::vector<LocalHalt>& halts) {
+void print_halts(const PrecisionRuns& runs, const std::vector<LocalHalt>& halts) {
   std::printf("\nhalting points from the mean of the calibrated vehicles; *: after a curve\n");
   std::printf("point  vehicle              x       y    dist  heading  from planned\n");
   std::printf("                         [mm]    [mm]    [mm]    [deg]          [mm]\n");
@@ -89,7 +89,7 @@ void print_distances(const char* what, const Distances& of) {
               1e3 * of.planned);
 }
 
-void print_summary(const Runs& runs, const std::vector<LocalHalt>& halts) {
+void print_summary(const PrecisionRuns& runs, const std::vector<LocalHalt>& halts) {
   Distances smooth, curves;
   std::vector<Distances> each(runs.size());
   for (const LocalHalt& halt : halts) {
@@ -106,7 +106,7 @@ void print_summary(const Runs& runs, const std::vector<LocalHalt>& halts) {
 
 }  // namespace
 
-void print_precision(const Runs& runs) {
+void print_precision(const PrecisionRuns& runs) {
   const std::vector<LocalHalt> halts = local_halts(runs);
   print_vehicles(runs);
   print_drives(runs);
@@ -114,7 +114,7 @@ void print_precision(const Runs& runs) {
   print_summary(runs, halts);
 }
 
-nlohmann::json precision_as_json(const Runs& runs) {
+nlohmann::json as_json(const PrecisionRuns& runs) {
   nlohmann::json document = nlohmann::json::array();
   for (const PrecisionRun& run : runs) {
     document.push_back({{"vehicle", run.vehicle.name},

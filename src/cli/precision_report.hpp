@@ -13,7 +13,7 @@ namespace cli {
 /// Tables as 5.3, 5.4 and 5.5 of the thesis.
 void print_precision(const std::vector<PrecisionRun>& runs);
 
-nlohmann::json precision_as_json(const std::vector<PrecisionRun>& runs);
+nlohmann::json as_json(const std::vector<PrecisionRun>& runs);
 
 }  // namespace cli
 }  // namespace falko_slam

@@ -42,20 +42,20 @@ void print(const ReflectorEvaluation& evaluation) {
   }
 }
 
-nlohmann::json as_json(const ReflectorErrors& errors) {
+nlohmann::json json_of(const ReflectorErrors& errors) {
   return {{"count", errors.count},           {"along_bias", errors.along_bias},
           {"along_rms", errors.along_rms},   {"across_bias", errors.across_bias},
           {"across_rms", errors.across_rms}, {"nees", errors.nees}};
 }
 
-nlohmann::json as_json(const ReflectorEvaluation& evaluation) {
+nlohmann::json json_of(const ReflectorEvaluation& evaluation) {
   nlohmann::json bands = nlohmann::json::array();
   for (const ReflectorBand& band : evaluation.bands) {
     bands.push_back({{"from", band.from},
                      {"to", band.to},
-                     {"found", as_json(band.found)},
-                     {"hidden", as_json(band.hidden)},
-                     {"reported", as_json(band.reported)}});
+                     {"found", json_of(band.found)},
+                     {"hidden", json_of(band.hidden)},
+                     {"reported", json_of(band.reported)}});
   }
   return {{"scans", evaluation.scans},         {"found", evaluation.found},
           {"strangers", evaluation.strangers}, {"reported", evaluation.reported},
@@ -71,7 +71,7 @@ void evaluate(const EvaluateReflectorsOptions& options) {
   }
   print(evaluation);
   std::printf("%s\n", describe_resources().c_str());
-  if (!options.json.empty()) write_json(options.json, as_json(evaluation));
+  if (!options.json.empty()) write_json(options.json, json_of(evaluation));
 }
 
 }  // namespace

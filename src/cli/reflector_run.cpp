@@ -29,7 +29,7 @@ struct Tally {
   nlohmann::json list = nlohmann::json::array();
 };
 
-nlohmann::json as_json(const DetectedReflector& reflector, const LaserScan& scan, Time stamp) {
+nlohmann::json json_of(const DetectedReflector& reflector, const LaserScan& scan, Time stamp) {
   const Eigen::Vector2d& center = reflector.center;
   const Eigen::Matrix2d& covariance = reflector.covariance;
   return {{"x", center.x()},
@@ -78,7 +78,7 @@ class ReflectorRun {
   void add_json(Time stamp) {
     nlohmann::json reflectors = nlohmann::json::array();
     for (const DetectedReflector& reflector : found_) {
-      reflectors.push_back(as_json(reflector, scan_, stamp));
+      reflectors.push_back(json_of(reflector, scan_, stamp));
     }
     tally.list.push_back(
         {{"stamp", to_seconds(stamp.time_since_epoch())}, {"reflectors", reflectors}});

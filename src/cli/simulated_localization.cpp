@@ -74,7 +74,7 @@ void print_reasons(const LocalizationRun& run) {
   std::printf("\n");
 }
 
-nlohmann::json as_json(std::uint64_t seed, const LocalizationRun& run) {
+nlohmann::json json_of(std::uint64_t seed, const LocalizationRun& run) {
   return {{"seed", seed},
           {"scans", run.scans},
           {"posed", run.posed},
@@ -108,7 +108,7 @@ nlohmann::json evaluate_drives(const Options& options, const Scenario& scenario)
     print_run(seed, run);
     print_reasons(run);
     std::fflush(stdout);
-    runs.push_back(as_json(seed, run));
+    runs.push_back(json_of(seed, run));
   }
   return runs;
 }
@@ -130,7 +130,7 @@ void print_delays(const char* what, const std::vector<Kidnap>& kidnaps, double K
   std::printf("\n");
 }
 
-nlohmann::json as_json(const Kidnap& kidnap) {
+nlohmann::json json_of(const Kidnap& kidnap) {
   const auto pose = [](const Pose2& of) { return nlohmann::json{of.x(), of.y(), of.theta()}; };
   return {{"from", pose(kidnap.from)},
           {"to", pose(kidnap.to)},
@@ -157,7 +157,7 @@ nlohmann::json evaluate_kidnapping(const Options& options, const Scenario& scena
   for (const Kidnap& one : kidnaps) {
     wrong_ok += one.wrong_ok;
     wrong_posed += one.wrong_posed;
-    list.push_back(as_json(one));
+    list.push_back(json_of(one));
   }
   std::printf("%s: kidnapped %zu times\n", options.scenario.c_str(), kidnaps.size());
   print_delays("wrong pose no longer ok", kidnaps, &Kidnap::ok_until, 1.0);

@@ -34,7 +34,7 @@ void print_period(const SoakPeriod& period, double memory) {
   std::fflush(stdout);
 }
 
-nlohmann::json as_json(const SoakPeriod& period, double memory) {
+nlohmann::json json_of(const SoakPeriod& period, double memory) {
   return {{"begin", period.begin},
           {"end", period.end},
           {"scans", period.scans},
@@ -70,7 +70,7 @@ void run_soak(SoakOptions& options) {
       soak(scenario, layout, map, options.params, [&](const SoakPeriod& period) {
         const double memory = resident_memory();
         print_period(period, memory);
-        periods.push_back(as_json(period, memory));
+        periods.push_back(json_of(period, memory));
       });
   std::printf("%s\n", describe_resources().c_str());
   if (!options.json.empty()) write_json(options.json, periods);

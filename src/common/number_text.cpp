@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/common/number_text.hpp"
 
+#include <locale.h>
+
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -16,6 +19,15 @@ std::optional<double> number_of(const std::string& text) {
   const bool whole =
       in >> std::noskipws >> value && in.peek() == std::istringstream::traits_type::eof();
   return whole ? std::optional<double>(value) : std::nullopt;
+}
+
+std::optional<double> take_number(const char*& at) {
+  static const locale_t kPlain = newlocale(LC_ALL_MASK, "C", nullptr);
+  char* end = nullptr;
+  const double value = strtod_l(at, &end, kPlain);
+  if (end == at) return std::nullopt;
+  at = end;
+  return value;
 }
 
 std::string exact_text(double value) {

@@ -14,7 +14,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr Time kStart{std::chrono::seconds(1)};
 constexpr Duration kPatience = std::chrono::seconds(30);  // without a pose
 constexpr double kMoves = 0.05;                           // [m/s]
 
@@ -45,25 +44,25 @@ class LedVehicle {
         halted_(halted),
         laser_(scenario.laser),
         encoders_(scenario.vehicle.encoders),
-        simulation_(scenario, kStart, seed),
+        simulation_(scenario, kSimulationStart, seed),
         motions_(believed.tricycle, scenario.vehicle.encoders, noise),
         localizer_(mounted(params, believed.base_T_laser), map),
         follower_(follower_of(believed, scenario.vehicle.actuators), layout) {
-    localizer_.set_pose(kStart, PoseEstimate{scenario.world_T_start, kTold});
+    localizer_.set_pose(kSimulationStart, PoseEstimate{scenario.world_T_start, kTold});
     motions_.add(simulation_.state().encoders);
-    motion_.stamp = posed_ = kStart;
+    motion_.stamp = posed_ = kSimulationStart;
     before_ = scenario.world_T_start;
   }
 
   LayoutDrive drive(const LayoutRepetition& repetition) {
-    const Time end = kStart + from_seconds(repetition.most_seconds);
+    const Time end = kSimulationStart + from_seconds(repetition.most_seconds);
     for (int round = 0; round < repetition.rounds && !lost(); ++round) {
       follower_.begin_again();
       seen_ = 0;
       while (!follower_.done() && !lost() && simulation_.time() < end) step();
     }
     drive_.cross_track_rmse = moves_ > 0 ? std::sqrt(squares_ / static_cast<double>(moves_)) : 0.0;
-    drive_.seconds = to_seconds(simulation_.time() - kStart);
+    drive_.seconds = to_seconds(simulation_.time() - kSimulationStart);
     if (lost()) drive_.trouble = trouble();
     return std::move(drive_);
   }

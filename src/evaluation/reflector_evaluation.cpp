@@ -14,7 +14,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr Time kStart{std::chrono::seconds(1)};
 constexpr double kSame = 0.3;             // from a true reflector [m]
 constexpr std::size_t kRemembered = 100;  // control periods, more than a scan takes
 constexpr std::array<double, 8> kBands = {0.0, 2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 100.0};
@@ -166,12 +165,12 @@ ReflectorEvaluation evaluate_reflectors(const Scenario& scenario,
                                         const ReflectorEvaluationParams& params,
                                         const std::function<void()>& step) {
   validate(params);
-  Simulation simulation(scenario, kStart, params.seed);
+  Simulation simulation(scenario, kSimulationStart, params.seed);
   const auto driver = scenario_driver(scenario.drive, scenario.vehicle);
   ReflectorComparison comparison(scenario, params);
-  Trajectory poses = {{kStart, simulation.state().world_T_base}};
+  Trajectory poses = {{kSimulationStart, simulation.state().world_T_base}};
   std::size_t scans = 0;
-  while (simulation.time() - kStart < from_seconds(params.duration)) {
+  while (simulation.time() - kSimulationStart < from_seconds(params.duration)) {
     const auto input = driver->next(simulation.vehicle(), simulation.period());
     if (!input) break;
     const SimulationStep now = simulation.step(*input);

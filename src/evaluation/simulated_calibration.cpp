@@ -13,7 +13,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr Time kStart{std::chrono::seconds(1)};
 constexpr double kRoom = 3.0;  // beyond what is planned, before the driver aborts [m]
 
 SegmentRecorderParams recorder_params(const SimulatedCalibrationParams& params) {
@@ -57,7 +56,7 @@ ReflectorObservation observation_of(const SimulationStep::Scan& scan) {
 SimulatedCalibrationDrive drive_calibration(const Scenario& scenario, const CalibrationPlan& plan,
                                             const SegmentRecorderParams& recorder_params,
                                             std::uint64_t seed) {
-  Simulation simulation(scenario, kStart, seed);
+  Simulation simulation(scenario, kSimulationStart, seed);
   CalibrationDriverParams driver_params;
   driver_params.tricycle = scenario.vehicle.nominal;
   driver_params.encoders = scenario.vehicle.encoders;
@@ -74,7 +73,7 @@ SimulatedCalibrationDrive drive_calibration(const Scenario& scenario, const Cali
     step = simulation.step(driver.next(simulation.time()));
   }
   recorder.finish();
-  return {recorder.take(), driver.reason(), to_seconds(simulation.time() - kStart)};
+  return {recorder.take(), driver.reason(), to_seconds(simulation.time() - kSimulationStart)};
 }
 
 // The scans of a halt between two arcs are shared out to both.

@@ -14,8 +14,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr Time kStart{std::chrono::seconds(1)};
-
 // The steps of a scenario one by one, each named one a leg.
 class StepDriver {
  public:
@@ -84,14 +82,14 @@ SimulatedDrive simulate_drive(const Scenario& scenario, const CalibrationSpread&
   std::mt19937_64 random(seed);
   const VehicleCalibration calibration = drawn_calibration(scenario.vehicle, spread, random);
   MotionSource motions(calibration.tricycle, scenario.vehicle.encoders, noise);
-  Simulation simulation(scenario, kStart, seed);
+  Simulation simulation(scenario, kSimulationStart, seed);
   SimulatedDrive drive;
   drive.base_T_laser = calibration.base_T_laser;
   const SimulationStep first = simulation.state();
   drive.truth.push_back({simulation.time(), first.world_T_base});
   motions.add(first.encoders);
   StepDriver driver(scenario);
-  while (simulation.time() - kStart < from_seconds(duration)) {
+  while (simulation.time() - kSimulationStart < from_seconds(duration)) {
     const auto input = driver.next(simulation, drive.legs);
     if (!input) break;
     const SimulationStep now = simulation.step(*input);

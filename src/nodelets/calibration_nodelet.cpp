@@ -13,16 +13,10 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/reflector_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
-namespace {
-
-constexpr std::uint32_t kQueue = 100;
-constexpr double kWarningPeriod = 5.0;  // [s]
-
-}  // namespace
-
 CalibrationNodelet::~CalibrationNodelet() {
   if (thread_) thread_->stop();
   if (session_ && ros::ok()) {

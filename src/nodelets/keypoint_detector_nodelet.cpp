@@ -11,23 +11,16 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/reconfigure.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
-namespace {
-
-constexpr std::uint32_t kScanQueue = 10;
-constexpr std::uint32_t kOutputQueue = 10;
-constexpr double kWarningPeriod = 5.0;  // [s]
-
-}  // namespace
-
 void KeypointDetectorNodelet::onInit() {
   load_parameters();
   ros::NodeHandle& node = getNodeHandle();
-  features_ = node.advertise<FeatureArray>(topics::kFeatures, kOutputQueue);
-  markers_ = node.advertise<visualization_msgs::MarkerArray>(topics::kFeatureMarkers, kOutputQueue);
-  cloud_ = node.advertise<pcl::PointCloud<pcl::PointXYZI>>(topics::kKeypointCloud, kOutputQueue);
+  features_ = node.advertise<FeatureArray>(topics::kFeatures, kQueue);
+  markers_ = node.advertise<visualization_msgs::MarkerArray>(topics::kFeatureMarkers, kQueue);
+  cloud_ = node.advertise<pcl::PointCloud<pcl::PointXYZI>>(topics::kKeypointCloud, kQueue);
 
   diagnostics_ = std::make_unique<ScanDiagnostics>(
       TopicWatch(heard_topic<sensor_msgs::LaserScan>(node.resolveName(topics::kScan)),
@@ -46,7 +39,8 @@ void KeypointDetectorNodelet::onInit() {
   reconfigure_ = std::make_unique<dynamic_reconfigure::Server<KeypointDetectorConfig>>(falko);
   reconfigure_->setCallback(
       [this](KeypointDetectorConfig& config, std::uint32_t) { on_reconfigure(config); });
-  scans_ = node.subscribe(topics::kScan, kScanQueue, &KeypointDetectorNodelet::on_scan, this);
+  constexpr std::uint32_t kRecent = 10;  // older keypoints are of no use
+  scans_ = node.subscribe(topics::kScan, kRecent, &KeypointDetectorNodelet::on_scan, this);
 }
 
 void KeypointDetectorNodelet::load_parameters() {

@@ -12,13 +12,12 @@
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 #include "real_time.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
-
-constexpr std::uint32_t kQueue = 10;
 
 constexpr double kSilencePeriod = 0.1;  // of looking for one [s]
 

@@ -19,16 +19,10 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
-namespace {
-
-constexpr std::uint32_t kQueue = 100;
-constexpr double kWarningPeriod = 5.0;  // [s]
-
-}  // namespace
-
 LocalizerNodelet::~LocalizerNodelet() {
   // Nothing may come in while members go.
   if (thread_) thread_->stop();

@@ -115,8 +115,8 @@ void LocalizerNodelet::save_pose() {
     diagnostics_->note_pose_file(params_.pose_file);
     diagnostics_->warn_of_pose_file("");
   } catch (const std::exception& error) {
-    constexpr double kWarningPeriod = 60.0;  // [s]
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "the pose is not saved: " << error.what());
+    constexpr double kUnsavedPeriod = 60.0;  // [s]
+    NODELET_WARN_STREAM_THROTTLE(kUnsavedPeriod, "the pose is not saved: " << error.what());
     diagnostics_->warn_of_pose_file(std::string("the pose is not saved: ") + error.what());
   }
 }

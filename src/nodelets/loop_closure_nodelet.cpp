@@ -9,15 +9,14 @@
 #include "falko_slam/ros_bridge/loop_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr std::uint32_t kScanQueue = 20;
-constexpr std::uint32_t kOutputQueue = 100;
-constexpr double kWarningPeriod = 5.0;  // [s]
-constexpr double kTimerPeriod = 1.0;    // of diagnostics and markers [s]
+constexpr std::uint32_t kWaitingScans = 20;
+constexpr double kTimerPeriod = 1.0;  // of diagnostics and markers [s]
 
 }  // namespace
 
@@ -74,8 +73,8 @@ void LoopClosureNodelet::load_database() {
 
 void LoopClosureNodelet::start_publishing() {
   ros::NodeHandle& node = getNodeHandle();
-  keyframes_ = node.advertise<KeyframeArray>(topics::kKeyframes, kOutputQueue, true);
-  constraints_ = node.advertise<LoopConstraintArray>(topics::kConstraints, kOutputQueue);
+  keyframes_ = node.advertise<KeyframeArray>(topics::kKeyframes, kQueue, true);
+  constraints_ = node.advertise<LoopConstraintArray>(topics::kConstraints, kQueue);
   markers_ = node.advertise<visualization_msgs::MarkerArray>(topics::kLoopMarkers, 1, true);
   updater_ = std::make_unique<diagnostic_updater::Updater>(node, getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");
@@ -88,7 +87,7 @@ void LoopClosureNodelet::start_publishing() {
 void LoopClosureNodelet::start_listening() {
   ros::NodeHandle& node = getNodeHandle();
   filter_ = std::make_unique<ScanFilter>(
-      node, params_.odom_frame, params_.base_frame, kScanQueue,
+      node, params_.odom_frame, params_.base_frame, kWaitingScans,
       ScanFilter::Listener{
           [this](const auto& message) { on_scan(message); },
           [this](const auto& /*message*/, const std::string& missing) { on_dropped(missing); }});
@@ -97,7 +96,7 @@ void LoopClosureNodelet::start_listening() {
         on_received(message);
         filter_->add(message);
       }));
-  scans_.subscribe(node, topics::kScan, kScanQueue);
+  scans_.subscribe(node, topics::kScan, kWaitingScans);
   // On the wall clock: silence must be told of even when simulated time stands still.
   timer_ = node.createWallTimer(ros::WallDuration(kTimerPeriod),
                                 [this](const ros::WallTimerEvent&) { on_timer(); });

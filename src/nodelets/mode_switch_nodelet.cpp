@@ -16,7 +16,7 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kWarningPeriod = 10.0;  // [s]
+constexpr double kTroublePeriod = 10.0;  // [s]
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -104,7 +104,7 @@ void ModeSwitchNodelet::on_timer() {
     autosave();
   } catch (const std::runtime_error& error) {
     trouble_ = error.what();
-    NODELET_ERROR_STREAM_THROTTLE(kWarningPeriod, trouble_);
+    NODELET_ERROR_STREAM_THROTTLE(kTroublePeriod, trouble_);
   }
   publish_mode(runs_ ? name_of(mode_, vehicle_mode_names()) : "none");
   updater_->force_update();

@@ -9,16 +9,9 @@
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 
 namespace falko_slam {
-namespace {
-
-constexpr std::uint32_t kQueue = 1000;
-constexpr double kWarningPeriod = 5.0;                         // [s]
-constexpr Duration kClockTolerance = std::chrono::seconds(1);  // stamps may step back by this
-
-}  // namespace
-
 MotionInput::MotionInput(const ros::NodeHandle& node, const LocalizerNodeParams& params,
                          Listener listener)
     : params_(params),
@@ -29,7 +22,8 @@ MotionInput::MotionInput(const ros::NodeHandle& node, const LocalizerNodeParams&
     encoders_ = std::make_unique<EncoderInput>(
         own, params_.vehicle, [this](const EncoderReading& reading) { on_reading(reading); });
   } else {
-    odometry_messages_ = own.subscribe(topics::kOdometry, kQueue, &MotionInput::on_odometry, this);
+    odometry_messages_ =
+        own.subscribe(topics::kOdometry, kMotionQueue, &MotionInput::on_odometry, this);
   }
 }
 

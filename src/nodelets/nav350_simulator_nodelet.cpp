@@ -14,13 +14,11 @@
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
+#include "node_constants.hpp"
 #include "real_time.hpp"
 
 namespace falko_slam {
 namespace {
-
-constexpr std::uint32_t kQueue = 100;
-constexpr Time kClockBegin{std::chrono::seconds(1)};  // ros::Time(0) means that there is no time
 
 Time now_of_ros() { return from_ros(ros::Time::now()); }
 
@@ -39,7 +37,7 @@ void Nav350SimulatorNodelet::onInit() {
   load_parameters();
   load_scenario();
   advertise();
-  begin(is_clock_ ? kClockBegin : now_of_ros());
+  begin(is_clock_ ? kSimulationStart : now_of_ros());
   ros::NodeHandle& node = getNodeHandle();
   if (commands_) {
     drive_commands_ =

@@ -9,12 +9,12 @@
 #include "falko_slam/ros_bridge/topics.hpp"
 #include "falko_slam/ros_bridge/world_markers.hpp"
 #include "nav350_simulator_nodelet.hpp"
+#include "node_constants.hpp"
 
 namespace falko_slam {
 namespace {
 
 constexpr std::size_t kLongestPath = 20000;  // then its older half is forgotten
-constexpr double kWarningPeriod = 5.0;       // [s]
 
 }  // namespace
 

@@ -13,11 +13,11 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
 #include "falko_slam/slam/slam_state_file.hpp"
+#include "node_constants.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr std::uint32_t kOutputQueue = 100;
 constexpr double kSecond = 1.0;
 
 }  // namespace
@@ -100,12 +100,12 @@ void PoseGraphNodelet::load_first_state() {
 
 void PoseGraphNodelet::start_publishing() {
   ros::NodeHandle& node = getNodeHandle();
-  pose_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>(topics::kPose, kOutputQueue);
+  pose_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>(topics::kPose, kQueue);
   map_ = node.advertise<nav_msgs::OccupancyGrid>(topics::kMap, 1, true);
   map_metadata_ = node.advertise<nav_msgs::MapMetaData>(topics::kMapMetadata, 1, true);
   path_ = node.advertise<nav_msgs::Path>(topics::kPath, 1, true);
   markers_ = node.advertise<visualization_msgs::MarkerArray>(topics::kGraphMarkers, 1, true);
-  constraints_ = node.advertise<LoopConstraintArray>(topics::kConstraints, kOutputQueue);
+  constraints_ = node.advertise<LoopConstraintArray>(topics::kConstraints, kQueue);
   broadcaster_ = std::make_unique<tf2_ros::TransformBroadcaster>();
   updater_ = std::make_unique<diagnostic_updater::Updater>(node, getPrivateNodeHandle(), getName());
   updater_->setHardwareID("none");

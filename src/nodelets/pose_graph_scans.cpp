@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "node_constants.hpp"
 #include "pose_graph_nodelet.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr double kWarningPeriod = 5.0;   // [s]
 constexpr double kConflictShown = 10.0;  // [s]
 
 }  // namespace

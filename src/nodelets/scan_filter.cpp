@@ -1,6 +1,7 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_filter.hpp"
+#include "node_constants.hpp"
 #include "steady_now.hpp"
 
 #include <boost/make_shared.hpp>
@@ -9,8 +10,7 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kAftermath = 10.0;      // of a jump of time [s]
-constexpr double kClockTolerance = 1.0;  // time may step back by this [s]
+constexpr double kAftermath = 10.0;  // of a jump of time [s]
 
 class QueuedAction : public ros::CallbackInterface {
  public:
@@ -61,7 +61,7 @@ double ScanFilter::watch_time() {
   const ros::Time now = ros::Time::now();
   const double back = last_time_.toSec() - now.toSec();
   last_time_ = now;
-  const bool jumped = back > kClockTolerance;
+  const bool jumped = back > to_seconds(kClockTolerance);
   if (jumped) {
     jumped_ = steady_now();
     in_transform_thread([this] { filter_->clear(); });
@@ -73,7 +73,8 @@ double ScanFilter::watch_time() {
 void ScanFilter::forget_the_future() {
   if (steady_now() - jumped_ > kAftermath) return;
   const auto newest = poses_.newest(last_frame_);
-  if (newest && *newest > ros::Time::now() + ros::Duration(kClockTolerance)) buffer_.clear();
+  if (newest && *newest > ros::Time::now() + ros::Duration(to_seconds(kClockTolerance)))
+    buffer_.clear();
 }
 
 void ScanFilter::on_dropped(const Message& message) {

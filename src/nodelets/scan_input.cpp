@@ -7,13 +7,13 @@
 #include "falko_slam/ros_bridge/laser_scan_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 
 namespace falko_slam {
 namespace {
 
 // Of scans that wait for transforms: the more, the later it is told that these are missing.
 constexpr std::uint32_t kWaiting = 20;
-constexpr std::uint32_t kScanQueue = 100;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ ScanInput::ScanInput(const ros::NodeHandle& node, const ScanInputParams& params,
   scans_.registerCallback(boost::function<void(const Message&)>(
       [this](const Message& message) { on_received(message); }));
   ros::NodeHandle of_scans(node);
-  scans_.subscribe(of_scans, topics::kScan, kScanQueue);
+  scans_.subscribe(of_scans, topics::kScan, kQueue);
 }
 
 void ScanInput::watch_time() {

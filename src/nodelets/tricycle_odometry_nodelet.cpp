@@ -10,17 +10,10 @@
 #include "falko_slam/ros_bridge/pose_conversion.hpp"
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
+#include "node_constants.hpp"
 #include "steady_now.hpp"
 
 namespace falko_slam {
-namespace {
-
-constexpr std::uint32_t kQueue = 100;
-constexpr double kWarningPeriod = 5.0;                         // [s]
-constexpr Duration kClockTolerance = std::chrono::seconds(1);  // stamps may step back by this
-
-}  // namespace
-
 void TricycleOdometryNodelet::onInit() {
   // All that may throw comes first.
   load_parameters();

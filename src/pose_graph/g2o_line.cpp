@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o_line.hpp"
 
-#include <locale.h>
-
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
+
+#include "falko_slam/common/number_text.hpp"
 
 namespace falko_slam {
 namespace {
 
-// Takes numbers from a line, with a decimal point in whatever country.
-class NumberReader {
+// Takes numbers from a line, or throws what is there in place of one.
+class G2oNumbers {
  public:
-  explicit NumberReader(const std::string& text) : at_(text.c_str()) {}
+  explicit G2oNumbers(const std::string& text) : at_(text.c_str()) {}
 
   KeyframeId id() {
     skip_blanks();
@@ -28,14 +29,13 @@ class NumberReader {
     return {value};
   }
   double number() {
-    static const locale_t kPlain = newlocale(LC_ALL_MASK, "C", nullptr);
     skip_blanks();
-    char* end = nullptr;
-    const double value = strtod_l(at_, &end, kPlain);
-    if (end == at_ || !ends_word(*end)) fail("a number");
-    if (!std::isfinite(value)) fail("a finite number");
+    const char* end = at_;
+    const std::optional<double> value = take_number(end);
+    if (!value || !ends_word(*end)) fail("a number");
+    if (!std::isfinite(*value)) fail("a finite number");
     at_ = end;
-    return value;
+    return *value;
   }
   Pose2 pose() {
     const double x = number(), y = number();
@@ -71,7 +71,7 @@ constexpr InformationOrder kG2o{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}
 constexpr InformationOrder kToro{{{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}}};
 
 GraphConstraint parse_edge(const std::string& text, const InformationOrder& order) {
-  NumberReader numbers(text);
+  G2oNumbers numbers(text);
   GraphConstraint edge;
   edge.from = numbers.id();
   edge.to = numbers.id();
@@ -92,7 +92,7 @@ GraphConstraint parse_edge(const std::string& text, const InformationOrder& orde
 }  // namespace
 
 GraphNode parse_g2o_vertex(const std::string& text) {
-  NumberReader numbers(text);
+  G2oNumbers numbers(text);
   const KeyframeId id = numbers.id();
   const Pose2 pose = numbers.pose();
   numbers.require_end();
@@ -103,7 +103,7 @@ GraphConstraint parse_g2o_edge(const std::string& text) { return parse_edge(text
 GraphConstraint parse_toro_edge(const std::string& text) { return parse_edge(text, kToro); }
 
 std::vector<KeyframeId> parse_g2o_fix(const std::string& text) {
-  NumberReader numbers(text);
+  G2oNumbers numbers(text);
   std::vector<KeyframeId> ids{numbers.id()};
   while (!numbers.at_end()) ids.push_back(numbers.id());
   return ids;

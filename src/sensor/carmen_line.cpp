@@ -3,9 +3,9 @@
 #include "carmen_line.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
+#include "falko_slam/common/number_text.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -17,19 +17,17 @@ constexpr double kMaxBeams = 1e6;
 constexpr double kMaxSeconds = 9e9;
 
 // Takes numbers from a line until one is missing or not finite, and remembers that.
-class NumberReader {
+class CarmenNumbers {
  public:
-  explicit NumberReader(const char* text) : text_(text) {}
+  explicit CarmenNumbers(const char* text) : text_(text) {}
 
   double next() {
-    char* end = nullptr;
-    const double value = std::strtod(text_, &end);
-    if (end == text_ || !std::isfinite(value)) {
+    const std::optional<double> value = take_number(text_);
+    if (!value || !std::isfinite(*value)) {
       good_ = false;
       return 0.0;
     }
-    text_ = end;
-    return value;
+    return *value;
   }
 
   std::size_t next_count() {
@@ -70,7 +68,7 @@ double flaser_increment(std::size_t beams) {
 }
 
 template <class Record>
-std::optional<Record> if_good(const NumberReader& numbers, Record&& record) {
+std::optional<Record> if_good(const CarmenNumbers& numbers, Record&& record) {
   if (!numbers.good()) return std::nullopt;
   return std::forward<Record>(record);
 }
@@ -78,7 +76,7 @@ std::optional<Record> if_good(const NumberReader& numbers, Record&& record) {
 }  // namespace
 
 std::optional<CarmenScan> parse_flaser(const char* text, double range_max) {
-  NumberReader numbers(text);
+  CarmenNumbers numbers(text);
   CarmenScan scan;
   const std::size_t beams = numbers.next_count();
   scan.ranges = numbers.next_ranges(beams);
@@ -92,7 +90,7 @@ std::optional<CarmenScan> parse_flaser(const char* text, double range_max) {
 }
 
 std::optional<CarmenScan> parse_robotlaser(const char* text) {
-  NumberReader numbers(text);
+  CarmenNumbers numbers(text);
   CarmenScan scan;
   numbers.next();  // laser type
   scan.angle_min = numbers.next();
@@ -115,7 +113,7 @@ std::optional<CarmenScan> parse_robotlaser(const char* text) {
 }
 
 std::optional<CarmenOdometry> parse_odom(const char* text) {
-  NumberReader numbers(text);
+  CarmenNumbers numbers(text);
   CarmenOdometry odometry;
   odometry.odom_T_robot = numbers.next_pose();
   odometry.forward_velocity = numbers.next();
@@ -126,7 +124,7 @@ std::optional<CarmenOdometry> parse_odom(const char* text) {
 }
 
 std::optional<CarmenVertex> parse_vertex(const char* text) {
-  NumberReader numbers(text);
+  CarmenNumbers numbers(text);
   CarmenVertex vertex;
   vertex.index = static_cast<long>(numbers.next_count());
   vertex.map_T_robot = numbers.next_pose();
@@ -136,7 +134,7 @@ std::optional<CarmenVertex> parse_vertex(const char* text) {
 std::optional<double> parse_param(const char* text, const std::string& name) {
   text += std::strspn(text, " \t");
   if (std::strncmp(text, name.c_str(), name.size()) != 0) return std::nullopt;
-  NumberReader numbers(text + name.size());
+  CarmenNumbers numbers(text + name.size());
   return if_good(numbers, numbers.next());
 }
 

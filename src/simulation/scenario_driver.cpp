@@ -10,8 +10,8 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kThere = 0.002;    // [m]
-constexpr double kRounding = 1e-6;  // of poses that are the same [m]
+constexpr double kThere = 0.002;     // [m]
+constexpr double kSamePlace = 1e-6;  // [m]
 
 /// A wait: over when its time is.
 class Wait {
@@ -44,7 +44,7 @@ class Arc {
       return WheelCommand{0.0, step_.steering};
     }
     const bool steered = std::abs(vehicle.steering() - step_.steering) < 1e-9;
-    if (!steered && way_ < kRounding) return WheelCommand{0.0, step_.steering};
+    if (!steered && way_ < kSamePlace) return WheelCommand{0.0, step_.steering};
     const double speed = std::min(std::abs(step_.wheel_speed),
                                   braking_speed(remaining, model_.actuators.acceleration));
     return WheelCommand{std::copysign(speed, step_.wheel_speed), step_.steering};

@@ -8,20 +8,18 @@
 
 #include "falko_slam/common/validation.hpp"
 #include "falko_slam/geometry/angles.hpp"
+#include "shared_noise.hpp"
 
 namespace falko_slam {
 namespace {
 
-// Errors that both scans have in common: calibration, walls that are not straight. [m], [rad]
-constexpr double kLeastDistance = 0.005;
-constexpr double kLeastTurn = 0.001;
 // Where the scans say nothing, the covariance is that of anywhere. [m], [rad]
 constexpr double kAnywhere = 10.0;
 
 Eigen::Matrix3d covariance_of(const Eigen::Matrix3d& information) {
   const Eigen::Matrix3d anywhere = Eigen::Matrix3d::Identity() / (kAnywhere * kAnywhere);
   Eigen::Matrix3d covariance = (information + anywhere).inverse();
-  covariance += pose_covariance(kLeastDistance, kLeastTurn);
+  covariance += shared_noise();
   return 0.5 * (covariance + covariance.transpose());
 }
 

@@ -8,15 +8,13 @@
 
 #include "falko_slam/common/validation.hpp"
 #include "falko_slam/geometry/angles.hpp"
+#include "shared_noise.hpp"
 
 namespace falko_slam {
 namespace {
 
 // Motion does not go on by itself over a longer time than this [s].
-constexpr double kLongestGap = 1.0;
-// Registration and the laser itself are no better than this [m], [rad].
-constexpr double kLeastDistance = 0.005;
-constexpr double kLeastTurn = 0.001;
+constexpr double kLongestCoast = 1.0;
 // A fit that leaves much of the scan unexplained may be a wrong one by about this [m], [rad].
 constexpr double kDoubtfulDistance = 0.3;
 constexpr double kDoubtfulTurn = 0.2;
@@ -83,7 +81,7 @@ void ScanTracker::reset() {
 ScanTracker::Prediction ScanTracker::predict(Time stamp,
                                              const std::optional<Pose2>& odom_T_laser) const {
   const double gap = to_seconds(stamp - last_->stamp);
-  Pose2 step = gap > 0.0 && gap < kLongestGap ? last_->step : Pose2();
+  Pose2 step = gap > 0.0 && gap < kLongestCoast ? last_->step : Pose2();
   Eigen::Matrix3d noise = pose_covariance(params_.free_distance, params_.free_turn);
   if (odom_T_laser && last_->odom_T_laser) {
     const Pose2 driven = last_->odom_T_laser->inverse() * *odom_T_laser;
@@ -207,8 +205,7 @@ TrackedScan ScanTracker::track(const LaserScan& scan, Time stamp,
   if (result.lost) best = {prediction.pose, Eigen::Matrix3d::Zero(), best.agreement};
 
   const Pose2& keyframe = local_.back().track_T_laser;
-  Eigen::Matrix3d covariance =
-      (best.information + prior).inverse() + pose_covariance(kLeastDistance, kLeastTurn);
+  Eigen::Matrix3d covariance = (best.information + prior).inverse() + shared_noise();
   if (best.agreement < params_.good_agreement) {
     covariance += pose_covariance(kDoubtfulDistance, kDoubtfulTurn);
   }

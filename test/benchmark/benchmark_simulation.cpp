@@ -19,7 +19,7 @@ Scenario shipped(const std::string& name) {
 // Each iteration is a second of the vehicle's time: eight scans.
 void drive_a_second(benchmark::State& state, const std::string& name) {
   const Scenario scenario = shipped(name);
-  Simulation simulation(scenario, Time(std::chrono::seconds(1)), 1);
+  Simulation simulation(scenario, kSimulationStart, 1);
   auto driver = scenario_driver(scenario.drive, scenario.vehicle);
   for (auto _ : state) {
     for (int i = 0; i < 50; ++i) {

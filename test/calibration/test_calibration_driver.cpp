@@ -10,12 +10,12 @@
 #include "falko_slam/calibration/calibration_plan.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/simulated_vehicle.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 constexpr Time kBegin{std::chrono::seconds(5)};
-constexpr Duration kPeriod = std::chrono::milliseconds(20);
 
 CalibrationPlan short_plan() {
   CalibrationPlan plan;
@@ -41,7 +41,7 @@ class Driven : public ::testing::Test {
     if (encoders_) driver_->add(vehicle_.reading());
     if (scans_) driver_->add_scan(vehicle_.time(), 5);
     command_ = driver_->next(vehicle_.time());
-    vehicle_.drive(kPeriod, command_);
+    vehicle_.drive(test::kControlPeriod, command_);
   }
   void drive(double seconds) {
     for (double t = 0.0; t < seconds; t += 0.02) step();
@@ -124,7 +124,7 @@ TEST_F(Driven, HaltsWhereTheAreaEnds) {
     driver_->add_scan(vehicle_.time(), 5);
     command_ = driver_->next(vehicle_.time());
     const WheelCommand farther{1.6 * command_.wheel_speed, 0.5 * command_.steering};
-    vehicle_.drive(kPeriod, command_.wheel_speed != 0.0 ? farther : command_);
+    vehicle_.drive(test::kControlPeriod, command_.wheel_speed != 0.0 ? farther : command_);
   }
   expect_halted_at_once("left the allowed area");
 }
@@ -134,7 +134,7 @@ TEST_F(Driven, HaltsIfTheVehicleDoesNotObey) {
     driver_->add(vehicle_.reading());
     driver_->add_scan(vehicle_.time(), 5);
     command_ = driver_->next(vehicle_.time());
-    vehicle_.drive(kPeriod, WheelCommand{0.0, 0.0});
+    vehicle_.drive(test::kControlPeriod, WheelCommand{0.0, 0.0});
   }
   expect_halted_at_once("does not obey: steering");
 }

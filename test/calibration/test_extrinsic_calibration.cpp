@@ -24,8 +24,8 @@ double position_cost(const std::vector<PathSegment>& segments, const TricyclePar
   return sum;
 }
 
-std::vector<PathSegment> noisy_segments(std::mt19937_64& random,
-                                        const VehicleCalibration& vehicle) {
+std::vector<PathSegment> with_noisy_positions(std::mt19937_64& random,
+                                              const VehicleCalibration& vehicle) {
   auto segments = test::exact_segments(vehicle, {2, 0.3, 0.9, test::uniform(random, 0.5, 4.0)});
   for (PathSegment& segment : segments) {
     Pose2& pose = segment.start_T_end.pose;
@@ -55,7 +55,7 @@ TEST(LaserCalibration, IsTheMinimumThatBruteForceFinds) {
   auto random = test::seeded_random();
   for (int i = 0; i < 20; ++i) {
     const VehicleCalibration vehicle = test::random_vehicle(random);
-    const auto segments = noisy_segments(random, vehicle);
+    const auto segments = with_noisy_positions(random, vehicle);
     const auto cost = [&](const Eigen::VectorXd& l) {
       return position_cost(segments, vehicle.tricycle, {l[0], l[1], l[2]});
     };

@@ -23,8 +23,8 @@ double angle_cost(const std::vector<PathSegment>& segments, const Eigen::Vector3
   return sum;
 }
 
-std::vector<PathSegment> noisy_segments(std::mt19937_64& random,
-                                        const VehicleCalibration& vehicle) {
+std::vector<PathSegment> with_noisy_turns(std::mt19937_64& random,
+                                          const VehicleCalibration& vehicle) {
   auto segments = test::exact_segments(vehicle, {3, 0.3, 0.9, test::uniform(random, 1.0, 4.0)});
   for (PathSegment& segment : segments) segment.turn += test::normal(random, 0.2);
   return segments;
@@ -69,7 +69,7 @@ TEST(StandardCalibration, IsTheMinimumThatBruteForceFinds) {
     VehicleCalibration vehicle = test::random_vehicle(random);
     vehicle.tricycle.steer_offset_backward = vehicle.tricycle.steer_offset_forward;
     const TricycleParams& truth = vehicle.tricycle;
-    const auto segments = noisy_segments(random, vehicle);
+    const auto segments = with_noisy_turns(random, vehicle);
     const double scale = truth.driving_scale / truth.wheelbase;
 
     const auto found = calibrate_standard(segments, truth.wheelbase);
@@ -90,7 +90,7 @@ TEST(AsymmetricCalibration, IsTheMinimumThatBruteForceFinds) {
   for (int i = 0; i < 20; ++i) {
     const VehicleCalibration vehicle = test::random_vehicle(random);
     const TricycleParams& truth = vehicle.tricycle;
-    const auto segments = noisy_segments(random, vehicle);
+    const auto segments = with_noisy_turns(random, vehicle);
     const double scale = truth.driving_scale / truth.wheelbase;
 
     const auto found = calibrate_asymmetric(segments, truth.wheelbase);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "calibration/recorded_drives.hpp"
 #include "falko_slam/calibration/recorded_segment.hpp"
 #include "falko_slam/evaluation/simulated_calibration.hpp"
 #include "falko_slam/geometry/angles.hpp"
@@ -32,36 +33,20 @@ Scenario hall(std::vector<DriveStep> drive) {
   return scenario;
 }
 
-SegmentRecorderParams recorder_params(const Scenario& scenario) {
-  SegmentRecorderParams params;
-  params.tricycle = scenario.vehicle.nominal;
-  params.base_T_laser = scenario.vehicle.nominal_base_T_laser;
-  params.encoders = scenario.vehicle.encoders;
-  return params;
+std::vector<RecordedSegment> recorded_by_reflectors(const Scenario& scenario,
+                                                    const SegmentRecorderParams& params) {
+  return test::recorded(scenario, params,
+                        [](const SimulationStep::Scan& scan, SegmentRecorder& recorder) {
+                          recorder.add(observation_of(scan));
+                        });
 }
-
-std::vector<RecordedSegment> recorded(const Scenario& scenario,
-                                      const SegmentRecorderParams& params) {
-  Simulation simulation(scenario, Time(std::chrono::seconds(1)), 1);
-  const auto driver = scenario_driver(scenario.drive, scenario.vehicle);
-  SegmentRecorder recorder(params);
-  recorder.add(simulation.state().encoders);
-  while (const auto input = driver->next(simulation.vehicle(), simulation.period())) {
-    const SimulationStep step = simulation.step(*input);
-    for (const auto& scan : step.scans) recorder.add(observation_of(scan));
-    recorder.add(step.encoders);
-  }
-  recorder.finish();
-  return recorder.take();
-}
-
-const DriveStep kHalt = WaitStep{1.5};
 
 TEST(SegmentRecorder, CutsADriveAtItsHalts) {
   const std::vector<ArcStep> arcs = {
       {0.8, 0.5, kPi, 0.0}, {-0.8, -0.6, kPi / 2.0, 0.0}, {0.6, -0.4, 1.0, 0.0}};
-  const Scenario scenario = hall({kHalt, arcs[0], kHalt, arcs[1], kHalt, arcs[2], kHalt});
-  const auto segments = recorded(scenario, recorder_params(scenario));
+  const Scenario scenario =
+      hall({test::kHalt, arcs[0], test::kHalt, arcs[1], test::kHalt, arcs[2], test::kHalt});
+  const auto segments = recorded_by_reflectors(scenario, test::recorder_params(scenario));
 
   ASSERT_EQ(segments.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -82,10 +67,10 @@ TEST(SegmentRecorder, CutsADriveAtItsHalts) {
 }
 
 TEST(SegmentRecorder, NamesWhatIsNoSegment) {
-  const Scenario scenario = hall({kHalt, ArcStep{0.5, 0.3, 0.0, 0.1}, kHalt,
-                                  FollowStep{{{6.0, 3.0}, {9.0, -3.0}}, 0.8, 1.5, false}, kHalt,
-                                  ArcStep{-0.5, 0.0, 0.0, 1.0}});
-  const auto segments = recorded(scenario, recorder_params(scenario));
+  const Scenario scenario = hall({test::kHalt, ArcStep{0.5, 0.3, 0.0, 0.1}, test::kHalt,
+                                  FollowStep{{{6.0, 3.0}, {9.0, -3.0}}, 0.8, 1.5, false},
+                                  test::kHalt, ArcStep{-0.5, 0.0, 0.0, 1.0}});
+  const auto segments = recorded_by_reflectors(scenario, test::recorder_params(scenario));
 
   ASSERT_EQ(segments.size(), 3U);
   EXPECT_NE(segments[0].complaint.find("too short"), std::string::npos);
@@ -94,9 +79,9 @@ TEST(SegmentRecorder, NamesWhatIsNoSegment) {
 }
 
 TEST(SegmentRecorder, NeedsReflectors) {
-  Scenario scenario = hall({kHalt, ArcStep{0.8, 0.5, 1.0, 0.0}, kHalt});
+  Scenario scenario = hall({test::kHalt, ArcStep{0.8, 0.5, 1.0, 0.0}, test::kHalt});
   scenario.world.fixed.cylinders.resize(2);
-  const auto segments = recorded(scenario, recorder_params(scenario));
+  const auto segments = recorded_by_reflectors(scenario, test::recorder_params(scenario));
 
   ASSERT_EQ(segments.size(), 1U);
   EXPECT_NE(segments[0].complaint.find("reflectors seen at both ends"), std::string::npos)

@@ -4,6 +4,7 @@
 // Segments from scans, and what is kept while a drive is recorded.
 #include <gtest/gtest.h>
 
+#include "calibration/recorded_drives.hpp"
 #include "falko_slam/calibration/segment_recorder.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/simulation.hpp"
@@ -12,7 +13,7 @@ namespace falko_slam {
 namespace {
 
 // A hall without reflectors and a vehicle that its controller knows badly.
-Scenario hall(std::vector<DriveStep> drive) {
+Scenario bare_hall(std::vector<DriveStep> drive) {
   Scenario scenario;
   scenario.world.surfaces = {{"matt", 0.5, 0.0}};
   add_box(scenario.world.fixed, {}, {32.0, 28.0}, 0);
@@ -23,41 +24,27 @@ Scenario hall(std::vector<DriveStep> drive) {
   return scenario;
 }
 
-SegmentRecorderParams recorder_params(const Scenario& scenario) {
-  SegmentRecorderParams params;
-  params.tricycle = scenario.vehicle.nominal;
-  params.base_T_laser = scenario.vehicle.nominal_base_T_laser;
-  params.encoders = scenario.vehicle.encoders;
+SegmentRecorderParams scan_recorder_params(const Scenario& scenario) {
+  SegmentRecorderParams params = test::recorder_params(scenario);
   params.egomotion = EgomotionSource::kScans;
   return params;
 }
 
-std::vector<RecordedSegment> recorded(const Scenario& scenario,
-                                      const SegmentRecorderParams& params) {
-  Simulation simulation(scenario, Time(std::chrono::seconds(1)), 1);
-  const auto driver = scenario_driver(scenario.drive, scenario.vehicle);
-  SegmentRecorder recorder(params);
-  recorder.add(simulation.state().encoders);
-  while (const auto input = driver->next(simulation.vehicle(), simulation.period())) {
-    const SimulationStep step = simulation.step(*input);
-    for (const auto& scan : step.scans) {
-      ScanObservation observation;
-      normalize(as_raw_scan(scenario.laser, scan.scan), {}, observation.scan);
-      recorder.add(observation);
-      recorder.add(ReflectorObservation{scan.scan.first_beam, {}});  // left out
-    }
-    recorder.add(step.encoders);
-  }
-  recorder.finish();
-  return recorder.take();
+std::vector<RecordedSegment> recorded_by_scans(const Scenario& scenario,
+                                               const SegmentRecorderParams& params) {
+  return test::recorded(scenario, params,
+                        [&](const SimulationStep::Scan& scan, SegmentRecorder& recorder) {
+                          ScanObservation observation;
+                          normalize(as_raw_scan(scenario.laser, scan.scan), {}, observation.scan);
+                          recorder.add(observation);
+                          recorder.add(ReflectorObservation{scan.scan.first_beam, {}});  // left out
+                        });
 }
-
-const DriveStep kHalt = WaitStep{1.5};
 
 TEST(SegmentRecorderScans, CutsADriveAtItsHalts) {
   const std::vector<ArcStep> arcs = {{0.8, 0.5, kPi, 0.0}, {-0.8, -0.6, kPi / 2.0, 0.0}};
-  const Scenario scenario = hall({kHalt, arcs[0], kHalt, arcs[1], kHalt});
-  const auto segments = recorded(scenario, recorder_params(scenario));
+  const Scenario scenario = bare_hall({test::kHalt, arcs[0], test::kHalt, arcs[1], test::kHalt});
+  const auto segments = recorded_by_scans(scenario, scan_recorder_params(scenario));
 
   ASSERT_EQ(segments.size(), 2U);
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -78,10 +65,10 @@ TEST(SegmentRecorderScans, CutsADriveAtItsHalts) {
 }
 
 TEST(SegmentRecorderScans, NeedsWalls) {
-  Scenario scenario = hall({kHalt, ArcStep{0.8, 0.5, 1.0, 0.0}, kHalt});
+  Scenario scenario = bare_hall({test::kHalt, ArcStep{0.8, 0.5, 1.0, 0.0}, test::kHalt});
   scenario.world.fixed.faces.clear();
   scenario.world.fixed.cylinders = {{{5.0, 3.0}, 0.2, 0}, {{-5.0, 1.0}, 0.2, 0}};
-  const auto segments = recorded(scenario, recorder_params(scenario));
+  const auto segments = recorded_by_scans(scenario, scan_recorder_params(scenario));
 
   ASSERT_EQ(segments.size(), 1U);
   EXPECT_NE(segments[0].complaint.find("straight walls"), std::string::npos)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "cli/calibration_area.hpp"
 #include "falko_slam/calibration/calibration_file.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/ros_bridge/bag_file.hpp"
@@ -16,8 +17,6 @@ namespace {
 
 using test::falko;
 
-constexpr char kScenario[] = FALKO_SLAM_SOURCE_DIR "/config/scenarios/calibration_area.yaml";
-
 // What the controller of the simulated vehicle believes.
 const std::vector<std::string> kNominal = {
     "--driving-scale", "2.5e-4", "--laser", "0.39", "0", "0"};
@@ -27,7 +26,7 @@ class CalibrateCommand : public ::testing::Test {
   static void SetUpTestSuite() {
     recordings_ = std::make_unique<test::TemporaryFolder>();
     bag_ = recordings_->file("drive.bag");
-    ASSERT_EQ(falko({"simulate", kScenario, "--out", bag_}).exit_code, 0);
+    ASSERT_EQ(falko({"simulate", test::kCalibrationArea, "--out", bag_}).exit_code, 0);
   }
   static void TearDownTestSuite() { recordings_.reset(); }
 
@@ -48,7 +47,7 @@ TEST_F(CalibrateCommand, FindsTheParametersOfTheVehicle) {
   const std::string file = folder_.file("agv.yaml");
   const auto result = calibrate(bag_, {"--out", file});
   ASSERT_EQ(result.exit_code, 0) << result.errors << result.output;
-  const VehicleModel truth = read_scenario(kScenario).vehicle;
+  const VehicleModel truth = read_scenario(test::kCalibrationArea).vehicle;
   const StoredCalibration found = read_calibration(file);
   const VehicleCalibration expected{truth.tricycle, 1.0, truth.base_T_laser};
   const CalibrationVector error = vector_of(found.calibration) - vector_of(expected);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/calibration_area.hpp"
 #include "falko_slam/calibration/calibration_file.hpp"
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
@@ -18,11 +19,9 @@ namespace {
 
 using test::falko;
 
-constexpr char kScenario[] = FALKO_SLAM_SOURCE_DIR "/config/scenarios/calibration_area.yaml";
-
 // The shipped one without its reflectors, and with two arcs a phase.
 std::string bare_scenario() {
-  std::ifstream file(kScenario);
+  std::ifstream file(test::kCalibrationArea);
   std::ostringstream text;
   bool skip_wait = false;
   for (std::string line; std::getline(file, line);) {

@@ -16,7 +16,7 @@ using nlohmann::json;
 using test::falko;
 
 // A hall with three reflectors; the laser is where the vehicle's axle is.
-constexpr const char* kHall = R"(
+constexpr const char* kTwoReflectors = R"(
 name: hall
 start: [0, 0, 0]
 vehicle:
@@ -45,7 +45,7 @@ class DetectReflectors : public ::testing::Test {
 };
 
 TEST_F(DetectReflectors, ListsThemForEveryScan) {
-  const auto result = falko({"detect", simulated(kHall), "--reflectors", "--json", "-"});
+  const auto result = falko({"detect", simulated(kTwoReflectors), "--reflectors", "--json", "-"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const json list = json::parse(result.output);
   ASSERT_GT(list.size(), 10U);
@@ -65,14 +65,14 @@ TEST_F(DetectReflectors, ListsThemForEveryScan) {
 }
 
 TEST_F(DetectReflectors, PrintsFigures) {
-  const auto result = falko({"detect", simulated(kHall), "--reflectors"});
+  const auto result = falko({"detect", simulated(kTwoReflectors), "--reflectors"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_TRUE(result.says("3.00 per scan")) << result.output;
   EXPECT_TRUE(result.says("threshold at the end: ")) << result.output;
 }
 
 TEST_F(DetectReflectors, AreEvaluatedInASimulatedDrive) {
-  const std::string scenario = folder_.write("hall.yaml", kHall);
+  const std::string scenario = folder_.write("hall.yaml", kTwoReflectors);
   const std::string path = folder_.file("figures.json");
   const auto result = falko({"evaluate", "reflectors", scenario, "--every", "2", "--json", path});
   ASSERT_EQ(result.exit_code, 0) << result.errors;

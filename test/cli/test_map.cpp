@@ -12,7 +12,7 @@ namespace {
 using test::falko;
 
 // Two boxes with free corners in a hall.
-constexpr char kHall[] = R"(name: hall
+constexpr char kHallWithDrive[] = R"(name: hall
 start: [-4, 0, 0]
 world:
 - wall: [[-8, -5], [9, -5], [9, 6], [-8, 6]]
@@ -42,10 +42,10 @@ class MapCommand : public ::testing::Test {
                   folder_.file(out)});
   }
   void simulate() const {
-    ASSERT_EQ(
-        falko({"simulate", folder_.write("hall.yaml", kHall), "--out", bag_, "--truth", truth_})
-            .exit_code,
-        0);
+    ASSERT_EQ(falko({"simulate", folder_.write("hall.yaml", kHallWithDrive), "--out", bag_,
+                     "--truth", truth_})
+                  .exit_code,
+              0);
   }
 
   test::TemporaryFolder folder_;

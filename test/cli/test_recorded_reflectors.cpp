@@ -16,14 +16,14 @@
 namespace falko_slam {
 namespace {
 
-struct Recording {
+struct RecordedBag {
   const char* name;
   double distance;    // [m]
   double bearing;     // [rad]
   std::size_t scans;  // at least
 };
 
-class RecordedReflectors : public ::testing::TestWithParam<Recording> {};
+class RecordedReflectors : public ::testing::TestWithParam<RecordedBag> {};
 
 // Only the diameter is told; all else are the defaults.
 TEST_P(RecordedReflectors, AreTheOneAtItsDistanceInEveryScan) {
@@ -47,10 +47,10 @@ TEST_P(RecordedReflectors, AreTheOneAtItsDistanceInEveryScan) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RecordedReflectors,
-                         ::testing::Values(Recording{"ref_505", 0.505, 1.579, 290},
-                                           Recording{"ref_1111", 1.111, 1.575, 290},
-                                           Recording{"bs_exp_804", 0.804, -0.006, 200},
-                                           Recording{"bs_exp_2000", 2.0, -0.070, 200}),
+                         ::testing::Values(RecordedBag{"ref_505", 0.505, 1.579, 290},
+                                           RecordedBag{"ref_1111", 1.111, 1.575, 290},
+                                           RecordedBag{"bs_exp_804", 0.804, -0.006, 200},
+                                           RecordedBag{"bs_exp_2000", 2.0, -0.070, 200}),
                          [](const auto& recording) { return std::string(recording.param.name); });
 
 }  // namespace

@@ -16,18 +16,18 @@
 namespace falko_slam {
 namespace {
 
-struct Recording {
+struct RecordedLog {
   const char* name;
   double translation;  // mean error, at most [m]
   double rotation;     // [deg]
 };
 
-void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
+void PrintTo(const RecordedLog& recording, std::ostream* out) { *out << recording.name; }
 
-class RecordedSlam : public ::testing::TestWithParam<Recording> {};
+class RecordedSlam : public ::testing::TestWithParam<RecordedLog> {};
 
 TEST_P(RecordedSlam, IsAsGoodAsItWas) {
-  const Recording& expected = GetParam();
+  const RecordedLog& expected = GetParam();
   const std::string log = test::carmen_folder() + expected.name + ".clf.bz2";
   const std::string truth = test::carmen_folder() + expected.name + ".relations.gz";
   if (!std::ifstream(log) || !std::ifstream(truth)) {
@@ -44,8 +44,8 @@ TEST_P(RecordedSlam, IsAsGoodAsItWas) {
   EXPECT_EQ(found.missing, 0U);
 }
 INSTANTIATE_TEST_SUITE_P(Carmen, RecordedSlam,
-                         ::testing::Values(Recording{"intel", 0.030, 0.6},
-                                           Recording{"fr079", 0.045, 0.6}),
+                         ::testing::Values(RecordedLog{"intel", 0.030, 0.6},
+                                           RecordedLog{"fr079", 0.045, 0.6}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

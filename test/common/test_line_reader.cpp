@@ -12,7 +12,7 @@
 namespace falko_slam {
 namespace {
 
-std::string error_of(const std::string& path) {
+std::string reading_error(const std::string& path) {
   try {
     LineReader file(path);
     for (std::string line; file.next(line);) continue;
@@ -52,16 +52,16 @@ TEST(LineReader, FailureNamesFileAndLine) {
 TEST(LineReader, RefusesALineThatNeverEnds) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.gz", "short\n" + std::string(20000000, '7'));
-  EXPECT_EQ(error_of(path), path + ": line 2: is longer than 16777216 bytes");
+  EXPECT_EQ(reading_error(path), path + ": line 2: is longer than 16777216 bytes");
 }
 
 TEST(LineReader, NamesFilesThatAreMissingOrDamaged) {
   const test::TemporaryFolder folder;
-  EXPECT_EQ(error_of(folder.file("none")).find(folder.file("none") + ": cannot be read"), 0U);
-  EXPECT_EQ(error_of(folder.path()).find(folder.path() + ": cannot be read"), 0U);
+  EXPECT_EQ(reading_error(folder.file("none")).find(folder.file("none") + ": cannot be read"), 0U);
+  EXPECT_EQ(reading_error(folder.path()).find(folder.path() + ": cannot be read"), 0U);
   const std::string packed = read_whole_file(folder.write("a.gz", std::string(100000, 'x') + "\n"));
   write_whole_file(folder.file("b.gz"), packed.substr(0, packed.size() / 2));
-  const std::string error = error_of(folder.file("b.gz"));
+  const std::string error = reading_error(folder.file("b.gz"));
   EXPECT_EQ(error.find(folder.file("b.gz") + ": damaged after line 0"), 0U) << error;
 }
 

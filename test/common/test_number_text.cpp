@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
+#include <string>
 
 namespace falko_slam {
 namespace {
@@ -29,6 +30,19 @@ TEST(NumberText, OnlyWholeFiniteNumbersAreNumbers) {
   for (const char* text : {"", " 1", "1 ", "1,5", "1x", "nan", "inf", "1e999", "0x10", "--1"}) {
     EXPECT_EQ(number_of(text), std::nullopt) << text;
   }
+}
+
+TEST(NumberText, TakesOneNumberAfterTheOther) {
+  const std::string line = " 1.5 -2e3\t7x nan";
+  const char* at = line.c_str();
+
+  EXPECT_EQ(take_number(at), 1.5);
+  EXPECT_EQ(take_number(at), -2000.0);
+  EXPECT_EQ(take_number(at), 7.0);
+  EXPECT_EQ(take_number(at), std::nullopt);
+  EXPECT_STREQ(at, "x nan");
+  EXPECT_TRUE(std::isnan(take_number(++at).value()));
+  EXPECT_EQ(take_number(at), std::nullopt);
 }
 
 }  // namespace

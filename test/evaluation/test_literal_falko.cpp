@@ -15,8 +15,6 @@
 namespace falko_slam {
 namespace {
 
-const Pose2 kInTheRoom(-0.4, 0.1, 0.2);
-
 // A corner towards the sensor at (1, 0), two points on each side of it.
 LaserScan small_corner(double near) {
   return test::scan_of({1.12, near, 1.0, near, 1.12}, -0.1, 0.05);
@@ -30,7 +28,7 @@ Scene rectangular_room() {
 
 LaserScan noiseless_room() {
   auto random = test::seeded_random();
-  LaserScan scan = test::closed_scan(rectangular_room(), kInTheRoom, 720, 0.0, random);
+  LaserScan scan = test::closed_scan(rectangular_room(), test::kInTheRoom, 720, 0.0, random);
   scan.closed = false;
   return scan;
 }
@@ -77,7 +75,7 @@ TEST(LiteralFalko, FindsEveryCornerOfARoomWhereItIs) {
   const auto keypoints = literal_falko(noiseless_room());
   for (const Wall& wall : rectangular_room().walls) {
     EXPECT_TRUE(std::any_of(keypoints.begin(), keypoints.end(), [&](const Keypoint& keypoint) {
-      return (kInTheRoom * keypoint.position - wall.from).norm() < 0.02;
+      return (test::kInTheRoom * keypoint.position - wall.from).norm() < 0.02;
     }));
   }
 }
@@ -85,16 +83,16 @@ TEST(LiteralFalko, FindsEveryCornerOfARoomWhereItIs) {
 TEST(LiteralFalko, FindsNothingOnAStraightWall) {
   const LaserScan scan = noiseless_room();
   for (const Keypoint& keypoint : literal_falko(scan)) {
-    const Eigen::Vector2d point = kInTheRoom * scan.point(keypoint.beam);
+    const Eigen::Vector2d point = test::kInTheRoom * scan.point(keypoint.beam);
     EXPECT_LT(test::distance_to_corner(rectangular_room(), point), keypoint.radius);
   }
 }
 
 TEST(LiteralFalko, PointsIntoTheRoomFromItsCorners) {
   for (const Keypoint& keypoint : literal_falko(noiseless_room())) {
-    const Eigen::Vector2d corner = kInTheRoom * keypoint.position;
+    const Eigen::Vector2d corner = test::kInTheRoom * keypoint.position;
     if (test::distance_to_corner(rectangular_room(), corner) > 0.02) continue;
-    const double direction = kInTheRoom.theta() + keypoint.orientation;
+    const double direction = test::kInTheRoom.theta() + keypoint.orientation;
     EXPECT_LT(std::cos(direction) * corner.x(), 0.0);
     EXPECT_LT(std::sin(direction) * corner.y(), 0.0);
   }

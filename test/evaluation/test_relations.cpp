@@ -12,11 +12,12 @@
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "support/seeds.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
-Time at_seconds(double seconds) { return Time(from_seconds(seconds)); }
+using test::at_seconds;
 
 Pose2 random_pose(std::mt19937_64& random) {
   const double x = test::uniform(random, -10.0, 10.0);

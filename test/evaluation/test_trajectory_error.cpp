@@ -8,11 +8,12 @@
 #include <stdexcept>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
-Time at_seconds(double seconds) { return Time(from_seconds(seconds)); }
+using test::at_seconds;
 
 // A circle of 2 m, 10 cm and 0.1 s from pose to pose.
 Trajectory circle() {

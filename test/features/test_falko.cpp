@@ -16,8 +16,6 @@
 namespace falko_slam {
 namespace {
 
-const Pose2 kInTheRoom(-0.4, 0.1, 0.2);
-
 // The corner of two walls, `turn` radians off straight, 2 m in front of a laser of 1080 beams over
 // 180 degrees; one of the walls rises to the left of the beam to the corner.
 LaserScan corner_scan(double turn, const Eigen::Vector2d& corner) {
@@ -49,11 +47,12 @@ TEST(FalkoDetector, FindsTheCornersOfARoom) {
   auto random = test::seeded_random();
   const Scene room = test::room_with_pillar();
   FalkoDetector detector;
-  const auto keypoints = detector.detect(test::closed_scan(room, kInTheRoom, 1440, 0.005, random));
+  const auto keypoints =
+      detector.detect(test::closed_scan(room, test::kInTheRoom, 1440, 0.005, random));
   // Four corners of the room and the one of the pillar of which both sides are in sight.
   EXPECT_EQ(keypoints.size(), 5U);
   for (const Keypoint& keypoint : keypoints) {
-    EXPECT_LT(test::distance_to_corner(room, kInTheRoom * keypoint.position), 0.03);
+    EXPECT_LT(test::distance_to_corner(room, test::kInTheRoom * keypoint.position), 0.03);
   }
 }
 

@@ -16,7 +16,6 @@
 namespace falko_slam {
 namespace {
 
-const Pose2 kInTheRoom(-0.4, 0.1, 0.2);
 const Pose2 kInTheOffice(-3.0, -1.0, 0.4);
 
 // What a laser of 720 beams over 180 degrees sees of the walls.
@@ -60,7 +59,7 @@ TEST_P(Flirt, TurnsWithAClosedScan) {
   auto random = test::seeded_random();
   for (const Scene& scene : {office_scene(), test::room_with_pillar()}) {
     for (const double noise : {0.0, 0.01, 0.05}) {
-      const LaserScan scan = test::closed_scan(scene, kInTheRoom, 720, noise, random);
+      const LaserScan scan = test::closed_scan(scene, test::kInTheRoom, 720, noise, random);
       const auto keypoints = detector_.detect(scan);
       ASSERT_GT(keypoints.size(), 0U);
       for (const std::size_t by : {1U, 240U, 360U, 719U}) {
@@ -166,7 +165,8 @@ TEST_P(Flirt, FewValidBeamsAmongManyAreNoKeypoints) {
 TEST_P(Flirt, ThousandsOfBeamsAreNoMatter) {
   auto random = test::seeded_random();
   const Scene room = test::room_with_pillar();
-  const auto keypoints = detector_.detect(test::closed_scan(room, kInTheRoom, 5000, 0.005, random));
+  const auto keypoints =
+      detector_.detect(test::closed_scan(room, test::kInTheRoom, 5000, 0.005, random));
   ASSERT_FALSE(keypoints.empty());
   for (const Keypoint& keypoint : keypoints) EXPECT_TRUE(keypoint.position.allFinite());
 }
@@ -179,10 +179,11 @@ TEST(FlirtCurvature, FindsTheCornersOfARoom) {
   auto random = test::seeded_random();
   const Scene room = test::room_with_pillar();
   FlirtDetector detector;
-  const auto keypoints = detector.detect(test::closed_scan(room, kInTheRoom, 1440, 0.005, random));
+  const auto keypoints =
+      detector.detect(test::closed_scan(room, test::kInTheRoom, 1440, 0.005, random));
   for (const Eigen::Vector2d& corner : {Eigen::Vector2d(3.0, 2.0), Eigen::Vector2d(-3.0, 2.0),
                                         Eigen::Vector2d(-3.0, -2.0), Eigen::Vector2d(3.0, -2.0)}) {
-    EXPECT_TRUE(has_keypoint_at(keypoints, kInTheRoom.inverse() * corner, 0.05))
+    EXPECT_TRUE(has_keypoint_at(keypoints, test::kInTheRoom.inverse() * corner, 0.05))
         << corner.transpose();
   }
 }

@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/poses.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {
 namespace {
-
-void expect_near(const Pose2& a, const Pose2& b, double tolerance) {
-  EXPECT_NEAR(a.x(), b.x(), tolerance) << a << " " << b;
-  EXPECT_NEAR(a.y(), b.y(), tolerance) << a << " " << b;
-  EXPECT_NEAR(angle_between(a.theta(), b.theta()), 0.0, tolerance) << a << " " << b;
-}
 
 // Poses with every nasty heading, and random ones.
 std::vector<Pose2> poses() {
@@ -37,14 +32,14 @@ std::vector<Pose2> poses() {
 TEST(Pose2, IsAGroup) {
   const Pose2 identity;
   for (const Pose2& a : poses()) {
-    expect_near(a * identity, a, 1e-12);
-    expect_near(identity * a, a, 1e-12);
-    expect_near(a * a.inverse(), identity, 1e-12);
-    expect_near(a.inverse() * a, identity, 1e-12);
+    test::expect_near(a * identity, a, 1e-12);
+    test::expect_near(identity * a, a, 1e-12);
+    test::expect_near(a * a.inverse(), identity, 1e-12);
+    test::expect_near(a.inverse() * a, identity, 1e-12);
     for (const Pose2& b : poses()) {
-      expect_near((a * b).inverse(), b.inverse() * a.inverse(), 1e-11);
+      test::expect_near((a * b).inverse(), b.inverse() * a.inverse(), 1e-11);
       for (const Pose2& c : {Pose2(0.3, 4.0, 2.0), Pose2(-2.0, 0.1, -3.0)}) {
-        expect_near((a * b) * c, a * (b * c), 1e-11);
+        test::expect_near((a * b) * c, a * (b * c), 1e-11);
       }
     }
   }
@@ -61,7 +56,7 @@ TEST(Pose2, ActsOnPointsAsItComposes) {
 }
 
 TEST(Pose2, ExpIsTheInverseOfLog) {
-  for (const Pose2& pose : poses()) expect_near(Pose2::exp(pose.log()), pose, 1e-12);
+  for (const Pose2& pose : poses()) test::expect_near(Pose2::exp(pose.log()), pose, 1e-12);
   for (const Eigen::Vector3d& tangent :
        {Eigen::Vector3d(0.5, -0.2, 0.0), Eigen::Vector3d(1.0, 2.0, 1e-9),
         Eigen::Vector3d(1.0, 2.0, -1e-4), Eigen::Vector3d(-3.0, 0.4, kPi - 1e-6)}) {
@@ -72,7 +67,7 @@ TEST(Pose2, ExpIsTheInverseOfLog) {
 TEST(Pose2, ExpFollowsTheArc) {
   // A quarter of a circle of radius 2 m, travelled at constant velocity.
   const Pose2 pose = Pose2::exp({2.0 * kPi / 2.0, 0.0, kPi / 2.0});
-  expect_near(pose, Pose2(2.0, 2.0, kPi / 2.0), 1e-12);
+  test::expect_near(pose, Pose2(2.0, 2.0, kPi / 2.0), 1e-12);
 }
 
 TEST(Pose2, ExpIsSmoothThroughZero) {
@@ -88,8 +83,8 @@ TEST(Pose2, ExpIsSmoothThroughZero) {
 TEST(Pose2, AdjointMovesTangentsToTheOtherSide) {
   const Eigen::Vector3d tangent(0.3, -0.2, 0.4);
   for (const Pose2& pose : poses()) {
-    expect_near(pose * Pose2::exp(tangent) * pose.inverse(), Pose2::exp(pose.adjoint() * tangent),
-                1e-11);
+    test::expect_near(pose * Pose2::exp(tangent) * pose.inverse(),
+                      Pose2::exp(pose.adjoint() * tangent), 1e-11);
   }
 }
 

@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
-Time at_seconds(double seconds) { return Time(from_seconds(seconds)); }
+using test::at_seconds;
 
 TEST(TrajectoryIndex, FindsPosesWhateverTheirOrder) {
   const TrajectoryIndex index({{at_seconds(3.0), {3.0, 0.0, 0.0}},

@@ -13,6 +13,9 @@
 namespace falko_slam {
 namespace test {
 
+/// base_T_laser of a laser that is turned and beside the middle.
+inline const Pose2 kLaserMount(1.2, -0.3, 0.4);
+
 /// A vector of this covariance.
 template <int N>
 Eigen::Matrix<double, N, 1> drawn(const Eigen::Matrix<double, N, N>& covariance,

@@ -17,7 +17,6 @@ namespace {
 
 using Model = ObservationModel;
 
-const Pose2 kLaser(1.2, -0.3, 0.4);
 const Eigen::Matrix2d kPointNoise = test::diagonal(0.01, 0.01);
 
 Eigen::Matrix2d noise_of(Model model) {
@@ -63,16 +62,17 @@ TEST(GatePairs, FindsWhatTryingEveryLandmarkFinds) {
     std::set<std::pair<std::size_t, std::size_t>> expected;
     for (std::size_t i = 0; i < 5; ++i) {
       const auto& position = map.landmarks()[7 * i].position;
-      observations.push_back(
-          test::noisy(test::seen(model, truth, kLaser, position, noise_of(model)), random));
+      observations.push_back(test::noisy(
+          test::seen(model, truth, test::kLaserMount, position, noise_of(model)), random));
       for (const Landmark& landmark : map.landmarks()) {
         known.assign(1, observations.back());
         known.front().id = landmark.id;
-        const auto alone = gate_pairs(estimate, kLaser, map, known, {});
+        const auto alone = gate_pairs(estimate, test::kLaserMount, map, known, {});
         for (const LandmarkPair& pair : alone.pairs) expected.emplace(i, pair.landmark);
       }
     }
-    EXPECT_EQ(numbers(gate_pairs(estimate, kLaser, map, observations, {}).pairs), expected);
+    EXPECT_EQ(numbers(gate_pairs(estimate, test::kLaserMount, map, observations, {}).pairs),
+              expected);
   }
 }
 
@@ -89,8 +89,8 @@ Scene random_scene(std::mt19937_64& random, std::size_t seen, double apart, Mode
   scene.truth = test::disturbed(scene.estimate, random);
   for (std::size_t i = 0; i < seen; ++i) {
     const auto& position = map.landmarks()[i].position;
-    scene.observations.push_back(
-        test::noisy(test::seen(model, scene.truth, kLaser, position, noise_of(model)), random));
+    scene.observations.push_back(test::noisy(
+        test::seen(model, scene.truth, test::kLaserMount, position, noise_of(model)), random));
   }
   return scene;
 }
@@ -100,7 +100,8 @@ TEST(Associate, HasTheJointDistanceOfTheWholeMatrix) {
   for (int run = 0; run < 50; ++run) {
     const Model model = run % 2 == 0 ? Model::kCartesian : Model::kRangeBearing;
     const Scene scene = random_scene(random, 12, 3.0, model);
-    const auto found = associate(scene.estimate, kLaser, scene.map, scene.observations, {});
+    const auto found =
+        associate(scene.estimate, test::kLaserMount, scene.map, scene.observations, {});
     const double nis = correct(scene.estimate, found.pairs).nis;
     EXPECT_NEAR(nis, joint_distance(scene.estimate, found.pairs), 1e-6 * (1.0 + nis));
   }
@@ -112,7 +113,7 @@ TEST(Associate, PairsRightlyWhereLandmarksStandApart) {
   for (int run = 0; run < 100; ++run) {
     const Scene scene = random_scene(random, 15, 2.0, Model::kCartesian);
     for (const LandmarkPair& pair :
-         associate(scene.estimate, kLaser, scene.map, scene.observations, {}).pairs) {
+         associate(scene.estimate, test::kLaserMount, scene.map, scene.observations, {}).pairs) {
       ++pairs;
       if (pair.landmark != pair.observation) ++wrong;
     }
@@ -172,7 +173,8 @@ TEST(Associate, RefusesWhatDoesNotFitToTheOthers) {
   for (int run = 0; run < 50; ++run) {
     Scene scene = random_scene(random, 15, 3.0, Model::kCartesian);
     scene.observations[4].value += Eigen::Vector2d(0.15, 0.15);
-    const auto found = associate(scene.estimate, kLaser, scene.map, scene.observations, {});
+    const auto found =
+        associate(scene.estimate, test::kLaserMount, scene.map, scene.observations, {});
     EXPECT_NE(found.verdicts[4], ObservationVerdict::kUsed);
     EXPECT_GT(found.pairs.size(), 10U);
   }
@@ -190,7 +192,8 @@ TEST(Associate, FindsTheOthersAmongStrangersWithinFewSteps) {
       const double turn = test::uniform(random, -kPi, kPi);
       scene.observations[i].value += 0.15 * Eigen::Vector2d(std::cos(turn), std::sin(turn));
     }
-    const auto found = associate(scene.estimate, kLaser, scene.map, scene.observations, params);
+    const auto found =
+        associate(scene.estimate, test::kLaserMount, scene.map, scene.observations, params);
     for (const LandmarkPair& pair : found.pairs) EXPECT_GE(pair.observation, 5U) << run;
     pairs += found.pairs.size();
   }

@@ -16,54 +16,58 @@
 #include "falko_slam/common/chi_square.hpp"
 #include "falko_slam/localization/pose_filter.hpp"
 #include "localization/landmark_drive.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using Verdict = ObservationVerdict;
 
-const Pose2 kLaser(1.2, -0.3, 0.4);
-const Eigen::Matrix2d kNoise = test::diagonal(0.01, 0.01);
-const PoseEstimate kStart{{}, pose_covariance(1e-4, 1e-5)};
-
-Time at(double seconds) { return Time(from_seconds(seconds)); }
+const Eigen::Matrix2d kSeenNoise = test::diagonal(0.01, 0.01);
+const PoseEstimate kFirst{{}, pose_covariance(1e-4, 1e-5)};
 
 LandmarkFilter filter_with(LandmarkFilterParams params = {}) {
-  params.base_T_laser = kLaser;
-  return {params, kStart};
+  params.base_T_laser = test::kLaserMount;
+  return {params, kFirst};
 }
 
 LandmarkObservation point_at(double x, double y) {
-  return test::seen(ObservationModel::kCartesian, {}, kLaser, {x, y}, kNoise);
+  return test::seen(ObservationModel::kCartesian, {}, test::kLaserMount, {x, y}, kSeenNoise);
 }
 
 FeatureObservations points(std::vector<LandmarkObservation> all) { return {std::move(all), {}}; }
 
 TEST(LandmarkFilter, TakesAPointAfterSomeHits) {
   LandmarkFilter filter = filter_with();
-  EXPECT_EQ(filter.update(at(0.0), points({point_at(5, 1)})).points[0], Verdict::kTentative);
-  EXPECT_EQ(filter.update(at(0.1), points({point_at(5, 1)})).points[0], Verdict::kTentative);
+  EXPECT_EQ(filter.update(test::at_seconds(0.0), points({point_at(5, 1)})).points[0],
+            Verdict::kTentative);
+  EXPECT_EQ(filter.update(test::at_seconds(0.1), points({point_at(5, 1)})).points[0],
+            Verdict::kTentative);
   EXPECT_TRUE(filter.landmarks().empty());
-  EXPECT_EQ(filter.update(at(0.2), points({point_at(5, 1)})).points[0], Verdict::kAdded);
+  EXPECT_EQ(filter.update(test::at_seconds(0.2), points({point_at(5, 1)})).points[0],
+            Verdict::kAdded);
   ASSERT_EQ(filter.landmarks().size(), 1U);
   EXPECT_LT((filter.landmarks()[0].middle - Eigen::Vector2d(5, 1)).norm(), 1e-9);
-  EXPECT_EQ(filter.update(at(0.3), points({point_at(5, 1)})).points[0], Verdict::kUsed);
+  EXPECT_EQ(filter.update(test::at_seconds(0.3), points({point_at(5, 1)})).points[0],
+            Verdict::kUsed);
 }
 
 TEST(LandmarkFilter, TakesNoPointThatComesAndGoes) {
   LandmarkFilter filter = filter_with();
   for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(filter.update(at(0.6 * i), points({point_at(5, 1)})).points[0], Verdict::kTentative);
+    EXPECT_EQ(filter.update(test::at_seconds(0.6 * i), points({point_at(5, 1)})).points[0],
+              Verdict::kTentative);
   }
 }
 
 TEST(LandmarkFilter, DropsWhatItDoesNotSeeForLong) {
   LandmarkFilter filter = filter_with();
-  for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({point_at(5, 1), point_at(5, 3)}));
+  for (int i = 0; i < 3; ++i)
+    filter.update(test::at_seconds(0.1 * i), points({point_at(5, 1), point_at(5, 3)}));
   EXPECT_EQ(filter.landmarks().size(), 2U);
-  filter.update(at(1.5), points({point_at(5, 1)}));
+  filter.update(test::at_seconds(1.5), points({point_at(5, 1)}));
   EXPECT_EQ(filter.landmarks().size(), 2U);
-  EXPECT_EQ(filter.update(at(2.3), points({point_at(5, 1)})).dropped, 1);
+  EXPECT_EQ(filter.update(test::at_seconds(2.3), points({point_at(5, 1)})).dropped, 1);
   ASSERT_EQ(filter.landmarks().size(), 1U);
   EXPECT_NEAR(filter.landmarks()[0].middle.y(), 1.0, 1e-6);
 }
@@ -75,9 +79,9 @@ TEST(LandmarkFilter, HoldsNoMoreThanItMayAndPrefersWhatItSees) {
   const auto row = [](double y) {
     return points({point_at(4, y), point_at(5, y), point_at(6, y), point_at(7, y)});
   };
-  for (int i = 0; i < 4; ++i) filter.update(at(0.1 * i), row(1.0));
+  for (int i = 0; i < 4; ++i) filter.update(test::at_seconds(0.1 * i), row(1.0));
   EXPECT_EQ(filter.landmarks().size(), 4U);
-  for (int i = 4; i < 8; ++i) filter.update(at(0.1 * i), row(3.0));
+  for (int i = 4; i < 8; ++i) filter.update(test::at_seconds(0.1 * i), row(3.0));
   ASSERT_EQ(filter.landmarks().size(), 4U);
   for (const ActiveLandmark& landmark : filter.landmarks()) {
     EXPECT_NEAR(landmark.middle.y(), 3.0, 1e-6);
@@ -89,15 +93,17 @@ TEST(LandmarkFilter, RefusesWhatCouldBeEither) {
   params.hits = 1;
   params.separation = 0.02;
   LandmarkFilter filter = filter_with(params);
-  filter.update(at(0.0), points({point_at(5.0, 1.0), point_at(5.0, 1.06)}));
+  filter.update(test::at_seconds(0.0), points({point_at(5.0, 1.0), point_at(5.0, 1.06)}));
   ASSERT_EQ(filter.landmarks().size(), 2U);
-  EXPECT_EQ(filter.update(at(0.1), points({point_at(5.0, 1.03)})).points[0], Verdict::kAmbiguous);
+  EXPECT_EQ(filter.update(test::at_seconds(0.1), points({point_at(5.0, 1.03)})).points[0],
+            Verdict::kAmbiguous);
 }
 
 TEST(LandmarkFilter, TakesNoPointBesideAnotherOne) {
   LandmarkFilter filter = filter_with();
-  for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({point_at(5, 1)}));
-  EXPECT_EQ(filter.update(at(0.3), points({point_at(5, 1.1)})).points[0], Verdict::kTooNear);
+  for (int i = 0; i < 3; ++i) filter.update(test::at_seconds(0.1 * i), points({point_at(5, 1)}));
+  EXPECT_EQ(filter.update(test::at_seconds(0.3), points({point_at(5, 1.1)})).points[0],
+            Verdict::kTooNear);
 }
 
 std::shared_ptr<const LandmarkIndex> map_of(std::vector<Landmark> landmarks) {
@@ -110,22 +116,22 @@ TEST(LandmarkFilter, IsThePoseFilterWhereAllIsInTheMap) {
   const auto map = map_of(test::scattered_landmarks(200, 40.0, 1.0, 0.005, random));
   const PoseEstimate start{{1.0, 2.0, 0.3}, pose_covariance(0.02, 0.01)};
   LandmarkFilterParams params;
-  params.base_T_laser = kLaser;
+  params.base_T_laser = test::kLaserMount;
   LandmarkFilter filter(params, start, map);
-  PoseFilter plain({kLaser, params.association}, map, start);
+  PoseFilter plain({test::kLaserMount, params.association}, map, start);
   const PoseEstimate motion{{0.1, 0.0, 0.02}, pose_covariance(2e-3, 1e-3)};
   Pose2 truth = start.pose;
   for (int i = 0; i < 20; ++i) {
     truth = truth * motion.pose;
     std::vector<LandmarkObservation> seen;
     for (std::size_t k = 0; k < 12; ++k) {
-      seen.push_back(test::noisy(test::seen(ObservationModel::kCartesian, truth, kLaser,
-                                            map->landmarks()[k].position, kNoise),
+      seen.push_back(test::noisy(test::seen(ObservationModel::kCartesian, truth, test::kLaserMount,
+                                            map->landmarks()[k].position, kSeenNoise),
                                  random));
     }
     filter.predict(motion);
     plain.predict(motion);
-    const FeatureUpdate update = filter.update(at(0.1 * i), points(seen));
+    const FeatureUpdate update = filter.update(test::at_seconds(0.1 * i), points(seen));
     EXPECT_NEAR(update.nis, plain.update(seen).nis, 1e-6);
     ASSERT_EQ(update.of_map.size(), 12U);
     EXPECT_EQ(update.of_map[3], 3U);
@@ -136,13 +142,14 @@ TEST(LandmarkFilter, IsThePoseFilterWhereAllIsInTheMap) {
 }
 
 TEST(LandmarkFilter, TakesAReflectorForNoCorner) {
-  const auto map = map_of({{7, {5.0, 1.0}, kNoise, LandmarkKind::kReflector}});
+  const auto map = map_of({{7, {5.0, 1.0}, kSeenNoise, LandmarkKind::kReflector}});
   LandmarkFilterParams params;
-  params.base_T_laser = kLaser;
-  LandmarkFilter filter(params, kStart, map);
+  params.base_T_laser = test::kLaserMount;
+  LandmarkFilter filter(params, kFirst, map);
   LandmarkObservation corner = point_at(5, 1);
   corner.kind = LandmarkKind::kFeature;
-  const FeatureUpdate update = filter.update(at(0.0), points({corner, point_at(5, 1)}));
+  const FeatureUpdate update =
+      filter.update(test::at_seconds(0.0), points({corner, point_at(5, 1)}));
   EXPECT_EQ(update.points[0], Verdict::kTentative);
   EXPECT_EQ(update.points[1], Verdict::kUsed);
   EXPECT_EQ(update.of_map[0], std::nullopt);
@@ -150,14 +157,14 @@ TEST(LandmarkFilter, TakesAReflectorForNoCorner) {
 }
 
 TEST(LandmarkFilter, AsksTheMapForIds) {
-  const auto map = map_of({{7, {5.0, 1.0}, kNoise}, {8, {5.0, 1.02}, kNoise}});
+  const auto map = map_of({{7, {5.0, 1.0}, kSeenNoise}, {8, {5.0, 1.02}, kSeenNoise}});
   LandmarkFilterParams params;
-  params.base_T_laser = kLaser;
-  LandmarkFilter filter(params, kStart, map);
+  params.base_T_laser = test::kLaserMount;
+  LandmarkFilter filter(params, kFirst, map);
   LandmarkObservation known = point_at(5, 1), unknown = known;
   known.id = 8;
   unknown.id = 9;
-  const FeatureUpdate update = filter.update(at(0.0), points({known, unknown}));
+  const FeatureUpdate update = filter.update(test::at_seconds(0.0), points({known, unknown}));
   EXPECT_EQ(update.of_map[0], 1U);
   EXPECT_EQ(update.points[1], Verdict::kUnknownId);
 }
@@ -167,17 +174,19 @@ TEST(LandmarkFilter, KeepsWhatTheMapTaughtIt) {
   const auto map = map_of(
       {{0, {6.0, 2.0}, test::diagonal(1e-3, 1e-3)}, {1, {6.0, -2.0}, test::diagonal(1e-3, 1e-3)}});
   LandmarkFilterParams params;
-  params.base_T_laser = kLaser;
+  params.base_T_laser = test::kLaserMount;
   params.point_wander = 0.0;
   LandmarkFilter filter(params, {{0.05, -0.04, 0.01}, pose_covariance(0.1, 0.03)}, map);
   LandmarkObservation corners[] = {point_at(4, 1), point_at(4, -3)};
   for (auto& corner : corners) corner.kind = LandmarkKind::kFeature;
   for (int i = 0; i < 40; ++i) {
-    filter.update(at(0.1 * i), points({point_at(6, 2), point_at(6, -2), corners[0], corners[1]}));
+    filter.update(test::at_seconds(0.1 * i),
+                  points({point_at(6, 2), point_at(6, -2), corners[0], corners[1]}));
   }
   EXPECT_LT(filter.map_T_base().pose.translation().norm(), 0.005);
   filter.predict({{}, pose_covariance(0.1, 0.03)});
-  for (int i = 40; i < 60; ++i) filter.update(at(0.1 * i), points({corners[0], corners[1]}));
+  for (int i = 40; i < 60; ++i)
+    filter.update(test::at_seconds(0.1 * i), points({corners[0], corners[1]}));
   EXPECT_LT(filter.map_T_base().pose.translation().norm(), 0.005);
   EXPECT_LT(filter.map_T_base().covariance(0, 0), 1e-4);
 }
@@ -188,45 +197,45 @@ TEST(LandmarkFilter, LetsLandmarksWanderOverTheWay) {
   LandmarkFilter filter = filter_with(params);
   LandmarkObservation corner = point_at(5, 1);
   corner.kind = LandmarkKind::kFeature;
-  for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({corner}));
+  for (int i = 0; i < 3; ++i) filter.update(test::at_seconds(0.1 * i), points({corner}));
   const double before = filter.landmarks().at(0).covariance(0, 0);
-  filter.predict({{0.0, 0.0, 0.5}, kStart.covariance});  // turning shows no other side of it
+  filter.predict({{0.0, 0.0, 0.5}, kFirst.covariance});  // turning shows no other side of it
   EXPECT_EQ(filter.landmarks()[0].covariance(0, 0), before);
-  for (int i = 0; i < 4; ++i) filter.predict({{1.0, 0.0, 0.0}, kStart.covariance});
+  for (int i = 0; i < 4; ++i) filter.predict({{1.0, 0.0, 0.0}, kFirst.covariance});
   EXPECT_NEAR(filter.landmarks()[0].covariance(0, 0), before + 4.0 * 0.03 * 0.03, 1e-12);
 }
 
 TEST(LandmarkFilter, IsResetWithoutItsLandmarksAndCopiedWithThem) {
   LandmarkFilter filter = filter_with();
-  for (int i = 0; i < 3; ++i) filter.update(at(0.1 * i), points({point_at(5, 1)}));
+  for (int i = 0; i < 3; ++i) filter.update(test::at_seconds(0.1 * i), points({point_at(5, 1)}));
   LandmarkFilter copy = filter;
-  filter.reset({{1.0, 0.0, 0.0}, kStart.covariance});
+  filter.reset({{1.0, 0.0, 0.0}, kFirst.covariance});
   EXPECT_TRUE(filter.landmarks().empty());
   EXPECT_EQ(filter.map_T_base().pose.x(), 1.0);
-  EXPECT_EQ(copy.update(at(0.3), points({point_at(5, 1)})).points[0], Verdict::kUsed);
+  EXPECT_EQ(copy.update(test::at_seconds(0.3), points({point_at(5, 1)})).points[0], Verdict::kUsed);
   filter = copy;
   EXPECT_EQ(filter.covariance(), copy.covariance());
-  EXPECT_THROW(filter.reset({{}, -kStart.covariance}), std::invalid_argument);
+  EXPECT_THROW(filter.reset({{}, -kFirst.covariance}), std::invalid_argument);
 }
 
 TEST(LandmarkFilter, LetsNothingInThatIsNotFinite) {
   LandmarkFilter filter = filter_with();
   LandmarkObservation bad = point_at(5, 1);
   bad.value.x() = std::nan("");
-  LineObservation line{{0.0, HUGE_VAL}, kNoise, {1.0, 0.0}, 0.4};
-  const FeatureUpdate update = filter.update(at(0.0), {{bad}, {line}});
+  LineObservation line{{0.0, HUGE_VAL}, kSeenNoise, {1.0, 0.0}, 0.4};
+  const FeatureUpdate update = filter.update(test::at_seconds(0.0), {{bad}, {line}});
   EXPECT_EQ(update.points[0], Verdict::kInvalid);
   EXPECT_EQ(update.lines[0], Verdict::kInvalid);
-  EXPECT_FALSE(filter.predict({{0.0, std::nan(""), 0.0}, kStart.covariance}));
-  EXPECT_FALSE(filter.predict({{}, -kStart.covariance}));
+  EXPECT_FALSE(filter.predict({{0.0, std::nan(""), 0.0}, kFirst.covariance}));
+  EXPECT_FALSE(filter.predict({{}, -kFirst.covariance}));
   EXPECT_TRUE(filter.covariance().allFinite());
 }
 
 TEST(LandmarkFilter, TakesRangeAndBearingAsPoints) {
   LandmarkFilter filter = filter_with();
-  const auto seen = test::seen(ObservationModel::kRangeBearing, {}, kLaser, {6.0, -2.0},
+  const auto seen = test::seen(ObservationModel::kRangeBearing, {}, test::kLaserMount, {6.0, -2.0},
                                test::diagonal(0.01, 0.002));
-  for (int i = 0; i < 4; ++i) filter.update(at(0.1 * i), points({seen}));
+  for (int i = 0; i < 4; ++i) filter.update(test::at_seconds(0.1 * i), points({seen}));
   ASSERT_EQ(filter.landmarks().size(), 1U);
   EXPECT_LT((filter.landmarks()[0].middle - Eigen::Vector2d(6, -2)).norm(), 1e-9);
 }
@@ -248,11 +257,12 @@ class Corridor {
 
   FeatureObservations look(const Pose2& map_T_base) {
     FeatureObservations seen;
-    const Pose2 laser_T_map = (map_T_base * kLaser).inverse();
+    const Pose2 laser_T_map = (map_T_base * test::kLaserMount).inverse();
     for (const Eigen::Vector2d& corner : corners_) {
       if (is_seen(laser_T_map * corner)) {
-        seen.points.push_back(test::noisy(
-            test::seen(ObservationModel::kCartesian, map_T_base, kLaser, corner, kNoise), random_));
+        seen.points.push_back(test::noisy(test::seen(ObservationModel::kCartesian, map_T_base,
+                                                     test::kLaserMount, corner, kSeenNoise),
+                                          random_));
       }
     }
     for (const Face& face : faces_) {
@@ -293,8 +303,8 @@ struct DriveTally {
 DriveTally drive(std::mt19937_64& random, const LandmarkFilterParams& params) {
   Corridor corridor(random);
   LandmarkFilter filter = filter_with(params);
-  PoseEstimate odometry = kStart;
-  Pose2 truth = test::disturbed(kStart, random);
+  PoseEstimate odometry = kFirst;
+  Pose2 truth = test::disturbed(kFirst, random);
   DriveTally run;
   for (int step = 0; step < 80; ++step) {
     const PoseEstimate motion = tricycle_motion({}, 400.0, {0.0, 0.0}, {});
@@ -303,7 +313,8 @@ DriveTally drive(std::mt19937_64& random, const LandmarkFilterParams& params) {
     truth = truth * test::disturbed(real, random);
     filter.predict(motion);
     odometry = compose(odometry, motion);
-    const FeatureUpdate update = filter.update(at(0.125 * step), corridor.look(truth));
+    const FeatureUpdate update =
+        filter.update(test::at_seconds(0.125 * step), corridor.look(truth));
     run.nis += update.nis;
     run.nis_degrees += update.degrees_of_freedom;
   }
@@ -362,8 +373,8 @@ TEST(LandmarkFilterParams, AreValidatedWithNameAndValue) {
   EXPECT_THROW(validate(params), std::invalid_argument);
   params = {};
   params.separation = -1.0;
-  EXPECT_THROW(LandmarkFilter(params, kStart), std::invalid_argument);
-  EXPECT_THROW(LandmarkFilter({}, {{}, -kStart.covariance}), std::invalid_argument);
+  EXPECT_THROW(LandmarkFilter(params, kFirst), std::invalid_argument);
+  EXPECT_THROW(LandmarkFilter({}, {{}, -kFirst.covariance}), std::invalid_argument);
 }
 
 }  // namespace

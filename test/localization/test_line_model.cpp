@@ -7,19 +7,14 @@
 #include <cmath>
 
 #include "localization/landmark_drive.hpp"
+#include "localization/numeric_slope.hpp"
 #include "seen_feature.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr double kStep = 1e-6;
-const Pose2 kLaser(1.2, -0.3, 0.4);
-
-Pose2 shifted(const Pose2& pose, int coordinate, double by) {
-  Eigen::Vector3d q(pose.x(), pose.y(), pose.theta());
-  q[coordinate] += by;
-  return {q[0], q[1], q[2]};
-}
+using test::kStep;
+using test::shifted;
 
 Pose2 random_pose(std::mt19937_64& random) {
   const double x = test::uniform(random, -9.0, 9.0), y = test::uniform(random, -9.0, 9.0);
@@ -38,9 +33,9 @@ TEST(LineModel, HasTheJacobiansOfNumericDifferentiation) {
     const Pose2 map_T_base = random_pose(random);
     const MapLine line{test::uniform(random, -kPi, kPi), test::uniform(random, -5.0, 5.0),
                        random_pose(random).translation()};
-    const auto prediction = predict_line(map_T_base, kLaser, line);
+    const auto prediction = predict_line(map_T_base, test::kLaserMount, line);
     const auto value = [&](const Pose2& pose, const MapLine& of) {
-      return predict_line(pose, kLaser, of).value;
+      return predict_line(pose, test::kLaserMount, of).value;
     };
     for (int i = 0; i < 3; ++i) {
       const auto numeric = slope(value(shifted(map_T_base, i, kStep), line),
@@ -65,7 +60,9 @@ TEST(LineModel, ALineOfTheMapIsSeenAsItWas) {
     const Pose2 map_T_base = random_pose(random);
     LineObservation seen;
     seen.value << test::uniform(random, -kPi, kPi), test::uniform(random, 0.1, 9.0);
-    const auto back = predict_line(map_T_base, kLaser, line_in_map(map_T_base, kLaser, seen)).value;
+    const auto back = predict_line(map_T_base, test::kLaserMount,
+                                   line_in_map(map_T_base, test::kLaserMount, seen))
+                          .value;
     EXPECT_LT((back - seen.value).norm(), 1e-12);
   }
 }
@@ -95,11 +92,11 @@ TEST(BornLandmark, HangsOnThePoseAsNumericDifferentiationSays) {
     seen.is_line = run % 2 == 0;
     seen.line.value << test::uniform(random, -3.0, 3.0), test::uniform(random, 0.1, 9.0);
     seen.line.covariance = test::diagonal(0.01, 0.02);
-    const BornLandmark landmark = born(map_T_base, kLaser, seen);
-    const Eigen::Vector2d anchor = (map_T_base * kLaser).translation();
+    const BornLandmark landmark = born(map_T_base, test::kLaserMount, seen);
+    const Eigen::Vector2d anchor = (map_T_base * test::kLaserMount).translation();
     const auto value = [&](const Pose2& pose) -> Eigen::Vector2d {
-      if (!seen.is_line) return pose * kLaser * seen.line.value;
-      const MapLine line = line_in_map(pose, kLaser, seen.line);
+      if (!seen.is_line) return pose * test::kLaserMount * seen.line.value;
+      const MapLine line = line_in_map(pose, test::kLaserMount, seen.line);
       const Eigen::Vector2d normal(std::cos(line.angle), std::sin(line.angle));
       return {line.angle, line.offset + normal.dot(line.anchor - anchor)};
     };

@@ -7,24 +7,21 @@
 #include <cmath>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "localization/numeric_slope.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {
 namespace {
 
+using test::kStep;
+using test::shifted;
+
 constexpr ObservationModel kModels[] = {ObservationModel::kCartesian,
                                         ObservationModel::kRangeBearing};
-constexpr double kStep = 1e-6;
 
 Pose2 random_pose(std::mt19937_64& random, double size) {
   const double x = test::uniform(random, -size, size), y = test::uniform(random, -size, size);
   return {x, y, test::uniform(random, -kPi, kPi)};
-}
-
-Pose2 shifted(const Pose2& pose, int coordinate, double by) {
-  Eigen::Vector3d q(pose.x(), pose.y(), pose.theta());
-  q[coordinate] += by;
-  return {q[0], q[1], q[2]};
 }
 
 TEST(MeasurementModel, HasTheJacobiansOfNumericDifferentiation) {

@@ -17,8 +17,6 @@ namespace {
 
 using Model = ObservationModel;
 
-const Pose2 kLaser(1.2, -0.3, 0.4);
-
 std::shared_ptr<const LandmarkIndex> hall(std::size_t count, double size, double deviation) {
   std::mt19937_64 random = test::seeded_random();
   return std::make_shared<LandmarkIndex>(
@@ -71,12 +69,12 @@ TEST(Correct, OneByOneIsAllAtOnce) {
   std::vector<LandmarkObservation> observations;
   for (std::uint32_t i = 0; i < 10; ++i) {
     observations.push_back(
-        test::noisy(test::seen(Model::kRangeBearing, truth, kLaser, map->landmarks()[i].position,
-                               test::diagonal(0.02, 0.003)),
+        test::noisy(test::seen(Model::kRangeBearing, truth, test::kLaserMount,
+                               map->landmarks()[i].position, test::diagonal(0.02, 0.003)),
                     random));
     observations.back().id = i;
   }
-  const auto pairs = gate_pairs(estimate, kLaser, *map, observations, {}).pairs;
+  const auto pairs = gate_pairs(estimate, test::kLaserMount, *map, observations, {}).pairs;
   ASSERT_GT(pairs.size(), 8U);
 
   const auto n = static_cast<Eigen::Index>(2 * pairs.size());
@@ -142,7 +140,7 @@ TEST(PoseFilter, IsBatchLeastSquaresWhereAllIsLinear) {
 TEST(PoseFilter, KeepsItsCovarianceSymmetricAndPositive) {
   std::mt19937_64 random = test::seeded_random();
   const auto map = hall(40, 20.0, 0.0);
-  PoseFilter filter({kLaser, {}}, map, {{}, pose_covariance(10.0, 0.2)});
+  PoseFilter filter({test::kLaserMount, {}}, map, {{}, pose_covariance(10.0, 0.2)});
   Pose2 truth;
   for (int step = 0; step < 3000; ++step) {
     const PoseEstimate motion{{0.02, 0.0, 0.01}, pose_covariance(1e-6, 1e-7)};
@@ -151,8 +149,8 @@ TEST(PoseFilter, KeepsItsCovarianceSymmetricAndPositive) {
     std::vector<LandmarkObservation> observations;
     for (std::uint32_t i = 0; i < 10; ++i) {
       observations.push_back(
-          test::noisy(test::seen(Model::kRangeBearing, truth, kLaser, map->landmarks()[i].position,
-                                 test::diagonal(1e-4, 1e-5)),
+          test::noisy(test::seen(Model::kRangeBearing, truth, test::kLaserMount,
+                                 map->landmarks()[i].position, test::diagonal(1e-4, 1e-5)),
                       random));
       observations.back().id = i;
     }

@@ -13,7 +13,7 @@ namespace {
 using Model = ObservationModel;
 
 constexpr int kRuns = 50;
-const Pose2 kLaser(1.4, 0.1, 0.05);
+const Pose2 kFrontLaser(1.4, 0.1, 0.05);
 
 struct Tally {
   double nees = 0.0, nis = 0.0;
@@ -44,7 +44,7 @@ class Drive {
 
   void run(Tally& tally) {
     const PoseEstimate start{{0.0, -20.0, 0.2}, pose_covariance(0.05, 0.01)};
-    PoseFilter filter({kLaser, wide_gates()}, map_, start);
+    PoseFilter filter({kFrontLaser, wide_gates()}, map_, start);
     truth_ = test::disturbed(start, random_);
     for (int step = 0; step < 40; ++step) {
       for (int i = 0; i < 5; ++i) drive(filter);
@@ -73,12 +73,12 @@ class Drive {
     std::vector<LandmarkObservation> observations;
     seen_.clear();
     for (std::size_t i = 0; i < real_.size() && observations.size() < 20; ++i) {
-      const double range = (real_[i].position - truth_ * kLaser.translation()).norm();
+      const double range = (real_[i].position - truth_ * kFrontLaser.translation()).norm();
       if (range < 1.0 || range > 15.0) continue;
       const Eigen::Vector2d position =
           real_[i].position + test::drawn<2>(real_[i].covariance, random_);
-      observations.push_back(
-          test::noisy(test::seen(model_, truth_, kLaser, position, noise_of(model_)), random_));
+      observations.push_back(test::noisy(
+          test::seen(model_, truth_, kFrontLaser, position, noise_of(model_)), random_));
       if (ids_) observations.back().id = real_[i].id;
       seen_.push_back(i);
     }

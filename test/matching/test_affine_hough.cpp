@@ -17,37 +17,37 @@ using test::MatchPoints;
 // Of the points: half a heading step moves none of them by more than a cell.
 constexpr double kHalfWidth = 2.5;
 
-test::Matcher matcher() {
+test::Matcher hough_matcher() {
   auto matcher = std::make_shared<AffineHoughMatcher>();
   return [=](const MatchPoints& source, const MatchPoints& target, const Pose2&) {
     return matcher->match(source, target);
   };
 }
 
-TEST(AffineHough, FindsTheMotion) { test::expect_finds_the_motion(matcher(), 0, kHalfWidth); }
+TEST(AffineHough, FindsTheMotion) { test::expect_finds_the_motion(hough_matcher(), 0, kHalfWidth); }
 
 TEST(AffineHough, FindsTheMotionAmongOutliers) {
-  test::expect_finds_the_motion(matcher(), 6, kHalfWidth);
+  test::expect_finds_the_motion(hough_matcher(), 6, kHalfWidth);
 }
 
 TEST(AffineHough, SwappedInputsGiveTheInverse) {
-  test::expect_swapped_inputs_give_the_inverse(matcher(), kHalfWidth);
+  test::expect_swapped_inputs_give_the_inverse(hough_matcher(), kHalfWidth);
 }
 
 TEST(AffineHough, AMovedSourceComposes) {
-  test::expect_moved_source_composes(matcher(), kHalfWidth);
+  test::expect_moved_source_composes(hough_matcher(), kHalfWidth);
 }
 
 TEST(AffineHough, TheOrderOfThePointsDoesNotMatter) {
-  test::expect_order_does_not_matter(matcher(), kHalfWidth);
+  test::expect_order_does_not_matter(hough_matcher(), kHalfWidth);
 }
 
-TEST(AffineHough, NoMirrorImageMatches) { test::expect_no_mirror_image_matches(matcher()); }
+TEST(AffineHough, NoMirrorImageMatches) { test::expect_no_mirror_image_matches(hough_matcher()); }
 
-TEST(AffineHough, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(matcher()); }
+TEST(AffineHough, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(hough_matcher()); }
 
 TEST(AffineHough, RemembersNothing) {
-  test::expect_no_memory_of_earlier_matches(matcher(), kHalfWidth);
+  test::expect_no_memory_of_earlier_matches(hough_matcher(), kHalfWidth);
 }
 
 // The fullest block by the book: a counter for each block of each heading.
@@ -85,8 +85,8 @@ TEST(AffineHough, FindsTheFullestBlock) {
   for (int run = 0; run < 20; ++run) {
     params.orientation_gate = run % 2 == 0 ? kPi : 1.05;
     params.range = run % 3 == 0 ? 2.03 : 5.0;
-    const MatchPoints source = test::random_points(8, 3.0, random);
-    const MatchPoints target = test::random_points(7, 3.0, random);
+    const MatchPoints source = test::random_match_points(8, 3.0, random);
+    const MatchPoints target = test::random_match_points(7, 3.0, random);
     AffineHoughMatcher matcher(params);
     matcher.match(source, target);
     EXPECT_EQ(matcher.votes(), fullest_block(source, target, params));
@@ -96,7 +96,7 @@ TEST(AffineHough, FindsTheFullestBlock) {
 // The thesis looks at half of the headings only.
 TEST(AffineHough, FindsOppositeHeadings) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 4.0, random);
+  const MatchPoints points = test::random_match_points(8, 4.0, random);
   const MatchResult result =
       AffineHoughMatcher().match(points, test::moved({0.0, 0.0, kPi}, points));
   EXPECT_EQ(result.pairs.size(), 8U);
@@ -104,7 +104,7 @@ TEST(AffineHough, FindsOppositeHeadings) {
 
 TEST(AffineHough, CellBordersDoNotSplitTheVotes) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 3.0, random);
+  const MatchPoints points = test::random_match_points(8, 3.0, random);
   for (const double x : {0.0, 0.05, 0.1, -0.1, 0.099999}) {
     const Pose2 pose(x, -x, 0.0);
     const MatchResult result =
@@ -115,7 +115,7 @@ TEST(AffineHough, CellBordersDoNotSplitTheVotes) {
 
 TEST(AffineHough, LooksNoFartherThanItsRange) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 3.0, random);
+  const MatchPoints points = test::random_match_points(8, 3.0, random);
   EXPECT_EQ(AffineHoughMatcher().match(points, test::moved({4.8, -4.8, 1.0}, points)).pairs.size(),
             8U);
   EXPECT_LT(AffineHoughMatcher().match(points, test::moved({6.0, 0.0, 1.0}, points)).pairs.size(),
@@ -124,7 +124,7 @@ TEST(AffineHough, LooksNoFartherThanItsRange) {
 
 TEST(AffineHough, PairsOnlyWhatMayMatch) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 3.0, random);
+  const MatchPoints points = test::random_match_points(8, 3.0, random);
   const MatchResult result = AffineHoughMatcher().match(
       points, points, [](std::size_t s, std::size_t t) { return s != 3 && t != 4; });
   EXPECT_EQ(result.pairs.size(), 6U);

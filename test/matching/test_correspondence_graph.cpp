@@ -13,35 +13,41 @@ namespace {
 
 using test::MatchPoints;
 
-test::Matcher matcher() {
+test::Matcher graph_matcher() {
   auto matcher = std::make_shared<CorrespondenceGraphMatcher>();
   return [=](const MatchPoints& source, const MatchPoints& target, const Pose2&) {
     return matcher->match(source, target);
   };
 }
 
-TEST(CorrespondenceGraph, FindsTheMotion) { test::expect_finds_the_motion(matcher(), 0); }
+TEST(CorrespondenceGraph, FindsTheMotion) { test::expect_finds_the_motion(graph_matcher(), 0); }
 
 TEST(CorrespondenceGraph, FindsTheMotionAmongOutliers) {
-  test::expect_finds_the_motion(matcher(), 6);
+  test::expect_finds_the_motion(graph_matcher(), 6);
 }
 
 TEST(CorrespondenceGraph, SwappedInputsGiveTheInverse) {
-  test::expect_swapped_inputs_give_the_inverse(matcher());
+  test::expect_swapped_inputs_give_the_inverse(graph_matcher());
 }
 
-TEST(CorrespondenceGraph, AMovedSourceComposes) { test::expect_moved_source_composes(matcher()); }
+TEST(CorrespondenceGraph, AMovedSourceComposes) {
+  test::expect_moved_source_composes(graph_matcher());
+}
 
 TEST(CorrespondenceGraph, TheOrderOfThePointsDoesNotMatter) {
-  test::expect_order_does_not_matter(matcher());
+  test::expect_order_does_not_matter(graph_matcher());
 }
 
-TEST(CorrespondenceGraph, NoMirrorImageMatches) { test::expect_no_mirror_image_matches(matcher()); }
+TEST(CorrespondenceGraph, NoMirrorImageMatches) {
+  test::expect_no_mirror_image_matches(graph_matcher());
+}
 
-TEST(CorrespondenceGraph, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(matcher()); }
+TEST(CorrespondenceGraph, SurvivesPoorInputs) {
+  test::expect_poor_inputs_are_survived(graph_matcher());
+}
 
 TEST(CorrespondenceGraph, RemembersNothing) {
-  test::expect_no_memory_of_earlier_matches(matcher());
+  test::expect_no_memory_of_earlier_matches(graph_matcher());
 }
 
 TEST(CorrespondenceGraph, FindsTheMotionWithoutOrientations) {
@@ -172,7 +178,7 @@ TEST(CorrespondenceGraph, IsAsLargeAsItsDefinitionSaysForNoisyViews) {
   auto random = test::seeded_random();
   CorrespondenceGraphMatcher matcher;
   for (int run = 0; run < 60; ++run) {
-    const MatchPoints source = test::random_points(6, 2.0, random);
+    const MatchPoints source = test::random_match_points(6, 2.0, random);
     const Pose2 pose(1.0, 0.0, test::uniform(random, -kPi, kPi));
     const MatchPoints target = test::moved(pose, test::shaken(source, 0.05, random));
     EXPECT_EQ(matcher.match(source, target).pairs.size(),
@@ -197,7 +203,7 @@ TEST(CorrespondenceGraph, MatchesWhatIsItsOwnMirrorImage) {
 
 TEST(CorrespondenceGraph, AsksOrientationsToConfirmTheHeading) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 5.0, random);
+  const MatchPoints points = test::random_match_points(8, 5.0, random);
   MatchPoints turned = points;
   turned[2].orientation += kPi;
   turned[5].orientation -= 1.0;  // within the gate
@@ -208,7 +214,7 @@ TEST(CorrespondenceGraph, AsksOrientationsToConfirmTheHeading) {
 
 TEST(CorrespondenceGraph, PairsOnlyWhatMayMatch) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 5.0, random);
+  const MatchPoints points = test::random_match_points(8, 5.0, random);
   const MatchResult result = CorrespondenceGraphMatcher().match(
       points, points, [](std::size_t s, std::size_t t) { return s != 3 && s == t; });
   EXPECT_EQ(result.pairs.size(), 7U);

@@ -7,16 +7,15 @@
 #include <limits>
 
 #include "support/match_relations.hpp"
+#include "support/numbers.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 TEST(MatchPoint, IsUsableAtAPlaceThatIsAPlace) {
   EXPECT_TRUE((MatchPoint{{1e6, -1e6}, 0.0}.usable()));
-  EXPECT_FALSE((MatchPoint{{kNaN, 0.0}, 0.0}.usable()));
-  EXPECT_FALSE((MatchPoint{{0.0, kNaN}, 0.0}.usable()));
+  EXPECT_FALSE((MatchPoint{{test::kNaN, 0.0}, 0.0}.usable()));
+  EXPECT_FALSE((MatchPoint{{0.0, test::kNaN}, 0.0}.usable()));
   EXPECT_FALSE((MatchPoint{{0.0, 2e6}, 0.0}.usable()));
 }
 
@@ -27,7 +26,7 @@ TEST(MatchPoint, HasNoOrientationByDefault) {
 
 TEST(MatchOf, SortsThePairsAndAlignsThem) {
   auto random = test::seeded_random();
-  const test::MatchPoints points = test::random_points(3, 5.0, random);
+  const test::MatchPoints points = test::random_match_points(3, 5.0, random);
   const Pose2 pose(1.0, 2.0, 0.5);
   const MatchResult result =
       match_of({{2, 2}, {0, 0}, {1, 1}}, points, test::moved(pose, points), 0.0);
@@ -40,7 +39,7 @@ TEST(MatchOf, SortsThePairsAndAlignsThem) {
 
 TEST(MatchOf, TheCovarianceGrowsWithTheNoise) {
   auto random = test::seeded_random();
-  const test::MatchPoints points = test::random_points(3, 5.0, random);
+  const test::MatchPoints points = test::random_match_points(3, 5.0, random);
   const std::vector<MatchPair> pairs = {{0, 0}, {1, 1}, {2, 2}};
   const auto small = match_of(pairs, points, points, 0.01).target_T_source->covariance;
   const auto large = match_of(pairs, points, points, 0.02).target_T_source->covariance;
@@ -49,7 +48,7 @@ TEST(MatchOf, TheCovarianceGrowsWithTheNoise) {
 
 TEST(MatchOf, RefusesPairsWithoutAHeading) {
   const test::MatchPoints same(2);
-  const test::MatchPoints close = {{{0.0, 0.0}, kNaN}, {{1e-170, 0.0}, kNaN}};
+  const test::MatchPoints close = {{{0.0, 0.0}, test::kNaN}, {{1e-170, 0.0}, test::kNaN}};
   for (const auto& points : {same, close}) {
     const MatchResult result = match_of({{0, 0}, {1, 1}}, points, points, 0.03);
     EXPECT_FALSE(result.found());

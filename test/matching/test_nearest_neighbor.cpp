@@ -11,27 +11,33 @@ namespace {
 
 using test::MatchPoints;
 
-test::Matcher matcher() {
+test::Matcher nearest_matcher() {
   return [](const MatchPoints& source, const MatchPoints& target, const Pose2& guess) {
     return match_nearest_neighbors(source, target, guess);
   };
 }
 
-TEST(NearestNeighbor, FindsTheMotion) { test::expect_finds_the_motion(matcher(), 0); }
+TEST(NearestNeighbor, FindsTheMotion) { test::expect_finds_the_motion(nearest_matcher(), 0); }
 
 TEST(NearestNeighbor, SwappedInputsGiveTheInverse) {
-  test::expect_swapped_inputs_give_the_inverse(matcher());
+  test::expect_swapped_inputs_give_the_inverse(nearest_matcher());
 }
 
-TEST(NearestNeighbor, AMovedSourceComposes) { test::expect_moved_source_composes(matcher()); }
+TEST(NearestNeighbor, AMovedSourceComposes) {
+  test::expect_moved_source_composes(nearest_matcher());
+}
 
 TEST(NearestNeighbor, TheOrderOfThePointsDoesNotMatter) {
-  test::expect_order_does_not_matter(matcher());
+  test::expect_order_does_not_matter(nearest_matcher());
 }
 
-TEST(NearestNeighbor, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(matcher()); }
+TEST(NearestNeighbor, SurvivesPoorInputs) {
+  test::expect_poor_inputs_are_survived(nearest_matcher());
+}
 
-TEST(NearestNeighbor, RemembersNothing) { test::expect_no_memory_of_earlier_matches(matcher()); }
+TEST(NearestNeighbor, RemembersNothing) {
+  test::expect_no_memory_of_earlier_matches(nearest_matcher());
+}
 
 TEST(NearestNeighbor, FindsTheMotionFromARoughOne) {
   auto random = test::seeded_random();

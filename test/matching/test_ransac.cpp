@@ -12,7 +12,7 @@ namespace {
 using test::MatchPoints;
 
 // Half of the points have a partner, and each match starts from the same random numbers.
-test::Matcher matcher() {
+test::Matcher ransac_matcher() {
   return [](const MatchPoints& source, const MatchPoints& target, const Pose2&) {
     RansacParams params;
     params.inlier_probability = 0.3;
@@ -22,23 +22,25 @@ test::Matcher matcher() {
   };
 }
 
-TEST(Ransac, FindsTheMotion) { test::expect_finds_the_motion(matcher(), 0); }
+TEST(Ransac, FindsTheMotion) { test::expect_finds_the_motion(ransac_matcher(), 0); }
 
-TEST(Ransac, FindsTheMotionAmongOutliers) { test::expect_finds_the_motion(matcher(), 6); }
+TEST(Ransac, FindsTheMotionAmongOutliers) { test::expect_finds_the_motion(ransac_matcher(), 6); }
 
 TEST(Ransac, SwappedInputsGiveTheInverse) {
-  test::expect_swapped_inputs_give_the_inverse(matcher());
+  test::expect_swapped_inputs_give_the_inverse(ransac_matcher());
 }
 
-TEST(Ransac, AMovedSourceComposes) { test::expect_moved_source_composes(matcher()); }
+TEST(Ransac, AMovedSourceComposes) { test::expect_moved_source_composes(ransac_matcher()); }
 
-TEST(Ransac, TheOrderOfThePointsDoesNotMatter) { test::expect_order_does_not_matter(matcher()); }
+TEST(Ransac, TheOrderOfThePointsDoesNotMatter) {
+  test::expect_order_does_not_matter(ransac_matcher());
+}
 
-TEST(Ransac, NoMirrorImageMatches) { test::expect_no_mirror_image_matches(matcher()); }
+TEST(Ransac, NoMirrorImageMatches) { test::expect_no_mirror_image_matches(ransac_matcher()); }
 
-TEST(Ransac, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(matcher()); }
+TEST(Ransac, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(ransac_matcher()); }
 
-TEST(Ransac, RemembersNothing) { test::expect_no_memory_of_earlier_matches(matcher()); }
+TEST(Ransac, RemembersNothing) { test::expect_no_memory_of_earlier_matches(ransac_matcher()); }
 
 TEST(Ransac, DrawsUntilOneIsGoodWithTheProbabilityAskedFor) {
   RansacParams params;
@@ -54,7 +56,7 @@ TEST(Ransac, SucceedsAsOftenAsAskedFor) {
   auto random = test::seeded_random();
   int found = 0;
   for (int run = 0; run < 300; ++run) {
-    MatchPoints source = test::random_points(14, 8.0, random);
+    MatchPoints source = test::random_match_points(14, 8.0, random);
     MatchPoints target = source;
     test::add_points(source, 6, 8.0, random);
     test::add_points(target, 6, 8.0, random);
@@ -77,7 +79,7 @@ TEST(Ransac, RepeatsWithTheSameRandomNumbers) {
 
 TEST(Ransac, PairsOnlyWhatMayMatch) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 5.0, random);
+  const MatchPoints points = test::random_match_points(8, 5.0, random);
   RansacParams params;
   params.success_probability = 0.9999;
   const MatchResult result =

@@ -14,7 +14,7 @@ namespace {
 using test::MatchPoints;
 
 // The best match.
-test::Matcher matcher() {
+test::Matcher two_point_matcher() {
   auto matcher = std::make_shared<TwoPointMatcher>();
   return [=](const MatchPoints& source, const MatchPoints& target, const Pose2&) {
     const auto matches = matcher->match(source, target);
@@ -22,25 +22,35 @@ test::Matcher matcher() {
   };
 }
 
-TEST(TwoPointMatcher, FindsTheMotion) { test::expect_finds_the_motion(matcher(), 0); }
+TEST(TwoPointMatcher, FindsTheMotion) { test::expect_finds_the_motion(two_point_matcher(), 0); }
 
-TEST(TwoPointMatcher, FindsTheMotionAmongOutliers) { test::expect_finds_the_motion(matcher(), 6); }
+TEST(TwoPointMatcher, FindsTheMotionAmongOutliers) {
+  test::expect_finds_the_motion(two_point_matcher(), 6);
+}
 
 TEST(TwoPointMatcher, SwappedInputsGiveTheInverse) {
-  test::expect_swapped_inputs_give_the_inverse(matcher());
+  test::expect_swapped_inputs_give_the_inverse(two_point_matcher());
 }
 
-TEST(TwoPointMatcher, AMovedSourceComposes) { test::expect_moved_source_composes(matcher()); }
+TEST(TwoPointMatcher, AMovedSourceComposes) {
+  test::expect_moved_source_composes(two_point_matcher());
+}
 
 TEST(TwoPointMatcher, TheOrderOfThePointsDoesNotMatter) {
-  test::expect_order_does_not_matter(matcher());
+  test::expect_order_does_not_matter(two_point_matcher());
 }
 
-TEST(TwoPointMatcher, NoMirrorImageMatches) { test::expect_no_mirror_image_matches(matcher()); }
+TEST(TwoPointMatcher, NoMirrorImageMatches) {
+  test::expect_no_mirror_image_matches(two_point_matcher());
+}
 
-TEST(TwoPointMatcher, SurvivesPoorInputs) { test::expect_poor_inputs_are_survived(matcher()); }
+TEST(TwoPointMatcher, SurvivesPoorInputs) {
+  test::expect_poor_inputs_are_survived(two_point_matcher());
+}
 
-TEST(TwoPointMatcher, RemembersNothing) { test::expect_no_memory_of_earlier_matches(matcher()); }
+TEST(TwoPointMatcher, RemembersNothing) {
+  test::expect_no_memory_of_earlier_matches(two_point_matcher());
+}
 
 // All hypotheses of all segments, each with its exact number of pairs.
 std::size_t most_pairs(const MatchPoints& source, const MatchPoints& target) {
@@ -96,8 +106,8 @@ TEST(TwoPointMatcher, MatchesAreApartAndTheBestComesFirst) {
   TwoPointMatcherParams params;
   params.max_matches = 5;
   for (int run = 0; run < 20; ++run) {
-    const auto matches = TwoPointMatcher(params).match(test::random_points(20, 4.0, random),
-                                                       test::random_points(20, 4.0, random));
+    const auto matches = TwoPointMatcher(params).match(test::random_match_points(20, 4.0, random),
+                                                       test::random_match_points(20, 4.0, random));
     EXPECT_LE(matches.size(), 5U);
     for (std::size_t i = 0; i < matches.size(); ++i) {
       EXPECT_GE(matches[i].pairs.size(), 3U);
@@ -115,7 +125,7 @@ TEST(TwoPointMatcher, MatchesAreApartAndTheBestComesFirst) {
 // 60 of 780 segments are asked, and still every point takes part.
 TEST(TwoPointMatcher, FindsManyPointsFromFewSegments) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(40, 10.0, random);
+  const MatchPoints points = test::random_match_points(40, 10.0, random);
   const auto matches = TwoPointMatcher().match(points, test::moved({1.0, 1.0, 3.0}, points));
   ASSERT_FALSE(matches.empty());
   EXPECT_EQ(matches[0].pairs.size(), 40U);
@@ -123,7 +133,7 @@ TEST(TwoPointMatcher, FindsManyPointsFromFewSegments) {
 
 TEST(TwoPointMatcher, AsksOrientationsToConfirmTheHeading) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 5.0, random);
+  const MatchPoints points = test::random_match_points(8, 5.0, random);
   MatchPoints turned = points;
   turned[2].orientation += kPi;
   const auto matches = TwoPointMatcher().match(points, turned);
@@ -133,7 +143,7 @@ TEST(TwoPointMatcher, AsksOrientationsToConfirmTheHeading) {
 
 TEST(TwoPointMatcher, PairsOnlyWhatMayMatch) {
   auto random = test::seeded_random();
-  const MatchPoints points = test::random_points(8, 5.0, random);
+  const MatchPoints points = test::random_match_points(8, 5.0, random);
   const auto matches = TwoPointMatcher().match(
       points, points, [](std::size_t s, std::size_t t) { return s != 3 && t != 4; });
   ASSERT_FALSE(matches.empty());

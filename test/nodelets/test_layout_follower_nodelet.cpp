@@ -14,13 +14,12 @@
 #include "falko_slam/ros_bridge/time_conversion.hpp"
 #include "falko_slam/simulation/simulated_vehicle.hpp"
 #include "spin_until.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using test::spin_until;
-
-constexpr Duration kPeriod = std::chrono::milliseconds(20);
 
 // A vehicle that obeys the node; its time is its own, so that the machine may be slow.
 class Led : public ::testing::Test {
@@ -48,8 +47,8 @@ class Led : public ::testing::Test {
     poses_.publish(pose);
     ASSERT_TRUE(spin_until([this] { return command_.has_value(); }));
     const Pose2 before = vehicle_.world_T_base();
-    vehicle_.drive(kPeriod, WheelCommand{command_->wheel_speed, command_->steering});
-    speed_ = (before.inverse() * vehicle_.world_T_base()).x() / to_seconds(kPeriod);
+    vehicle_.drive(test::kControlPeriod, WheelCommand{command_->wheel_speed, command_->steering});
+    speed_ = (before.inverse() * vehicle_.world_T_base()).x() / to_seconds(test::kControlPeriod);
   }
   bool pause(bool paused) {
     std_srvs::SetBool call;

@@ -15,7 +15,7 @@ namespace {
 
 using test::MatchPoints;
 using test::moved;
-using test::random_points;
+using test::random_match_points;
 
 // Of two signatures whose pairs differ by rounding: a cell or two may be off by one.
 constexpr std::uint32_t kRounding = 4;
@@ -23,7 +23,7 @@ constexpr std::uint32_t kRounding = 4;
 TEST(Gsr, DoesNotDependOnWhereThePointsAreAndHowTheyAreTurned) {
   auto random = test::seeded_random();
   for (const double heading : test::edge_headings()) {
-    const MatchPoints points = random_points(15, 4.0, random);
+    const MatchPoints points = random_match_points(15, 4.0, random);
     const Pose2 pose(test::uniform(random, -20.0, 20.0), test::uniform(random, -20.0, 20.0),
                      heading);
     EXPECT_LE(l1_distance(gsr(points), gsr(moved(pose, points))), kRounding) << heading;
@@ -33,7 +33,7 @@ TEST(Gsr, DoesNotDependOnWhereThePointsAreAndHowTheyAreTurned) {
 TEST(Gsr, DoesNotDependOnTheOrderOfThePoints) {
   auto random = test::seeded_random();
   for (int i = 0; i < 50; ++i) {
-    MatchPoints points = random_points(12, 4.0, random);
+    MatchPoints points = random_match_points(12, 4.0, random);
     const Signature before = gsr(points);
     std::shuffle(points.begin(), points.end(), random);
     EXPECT_EQ(l1_distance(gsr(points), before), 0U);
@@ -42,17 +42,17 @@ TEST(Gsr, DoesNotDependOnTheOrderOfThePoints) {
 
 TEST(Gsr, IsTheSameForAMirrorImage) {
   auto random = test::seeded_random();
-  const MatchPoints points = random_points(12, 4.0, random);
+  const MatchPoints points = random_match_points(12, 4.0, random);
   EXPECT_LE(l1_distance(gsr(points), gsr(test::mirrored(points))), kRounding);
 }
 
 TEST(Gsr, HasASymmetricDistanceThatTellsOtherPlacesApart) {
   auto random = test::seeded_random();
   for (int i = 0; i < 50; ++i) {
-    const MatchPoints points = random_points(12, 4.0, random);
+    const MatchPoints points = random_match_points(12, 4.0, random);
     const Signature here = gsr(points);
     const Signature again = gsr(test::shaken(points, 0.02, random));
-    const Signature elsewhere = gsr(random_points(12, 4.0, random));
+    const Signature elsewhere = gsr(random_match_points(12, 4.0, random));
     EXPECT_EQ(l1_distance(here, elsewhere), l1_distance(elsewhere, here));
     EXPECT_LT(l1_distance(here, again), l1_distance(here, elsewhere));
   }
@@ -83,7 +83,7 @@ TEST(Gsr, KeepsParallelAndOppositeNormalsApart) {
 TEST(Gsr, HasTheSameSumForAnyNumberOfPoints) {
   auto random = test::seeded_random();
   for (const std::size_t count : {10U, 20U, 40U}) {
-    const Signature signature = gsr(random_points(count, 4.0, random));
+    const Signature signature = gsr(random_match_points(count, 4.0, random));
     EXPECT_NEAR(std::accumulate(signature.cells.begin(), signature.cells.end(), 0), 4096, 60);
   }
 }
@@ -96,7 +96,7 @@ TEST(Gsr, IsEmptyWithoutAPair) {
 
 TEST(Gsr, LeavesOutPointsWithoutANormalOrAPlace) {
   auto random = test::seeded_random();
-  const MatchPoints points = random_points(10, 4.0, random);
+  const MatchPoints points = random_match_points(10, 4.0, random);
   MatchPoints more = points;
   more.push_back({{0.1, 0.2}});
   more.push_back({{std::nan(""), 0.0}, 1.0});

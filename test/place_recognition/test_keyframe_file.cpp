@@ -11,6 +11,7 @@
 
 #include "falko_slam/common/bytes.hpp"
 #include "falko_slam/sensor/scan_normalizer.hpp"
+#include "support/numbers.hpp"
 #include "support/seeds.hpp"
 #include "support/synthetic_scans.hpp"
 #include "support/temporary_folder.hpp"
@@ -19,8 +20,6 @@ namespace falko_slam {
 namespace {
 
 using Records = std::vector<KeyframeRecord>;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Two drives through a room, with a beam of every status.
 Records some_records(std::size_t beams = 12) {
@@ -39,7 +38,7 @@ Records some_records(std::size_t beams = 12) {
     record.scan.reversed = i == 1;
     for (std::size_t status = 1; status < kBeamStatusCount; ++status) {
       record.scan.status[status] = static_cast<BeamStatus>(status);
-      record.scan.ranges[status] = kNaN;
+      record.scan.ranges[status] = test::kNaN;
     }
   }
   return records;
@@ -161,12 +160,12 @@ TEST(KeyframeFile, TellsOfACountBeyondAllMemory) {
 
 TEST(KeyframeFile, TellsOfNumbersWithoutSense) {
   EXPECT_EQ(error_after([](Records& r) {
-              r[1].odom_T_laser = {kNaN, 0.0, 0.0};
+              r[1].odom_T_laser = {test::kNaN, 0.0, 0.0};
             }),
             "keyframe 1: x nan makes no sense");
   EXPECT_EQ(error_after([](Records& r) { r[0].scan.ranges[7] = -1.0; }),
             "keyframe 0: beam 7 has range -1.000000, which makes no sense");
-  EXPECT_EQ(error_after([](Records& r) { r[2].scan.ranges[7] = kNaN; }),
+  EXPECT_EQ(error_after([](Records& r) { r[2].scan.ranges[7] = test::kNaN; }),
             "keyframe 2: beam 7 has range nan, which makes no sense");
   EXPECT_EQ(error_after([](Records& r) { r[2].scan.status[8] = static_cast<BeamStatus>(17); }),
             "keyframe 2: beam 8 has status 17, which is not known");

@@ -8,12 +8,12 @@
 #include <stdexcept>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/numbers.hpp"
 
 namespace falko_slam {
 namespace {
 
 using Choice = KeyframeSelector::Choice;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(KeyframeSelector, TakesTheFirstScanWhereverItIs) {
   EXPECT_EQ(KeyframeSelector().choose({1e5, -3.0, 2.0}), Choice::kKeyframe);
@@ -75,7 +75,7 @@ TEST(KeyframeSelector, MeasuresJumpsFromScanToScan) {
 
 TEST(KeyframeSelector, PassesOverPosesThatAreNoneAndForgetsThem) {
   KeyframeSelector selector;
-  EXPECT_EQ(selector.choose({kNaN, 0.0, 0.0}), Choice::kPassOver);
+  EXPECT_EQ(selector.choose({test::kNaN, 0.0, 0.0}), Choice::kPassOver);
   EXPECT_EQ(selector.choose({0.0, 0.0, 0.0}), Choice::kKeyframe);
   EXPECT_EQ(selector.choose({0.0, std::numeric_limits<double>::infinity(), 0.0}),
             Choice::kPassOver);
@@ -91,7 +91,7 @@ TEST(KeyframeSelector, TakesTheScanAfterAReset) {
 
 TEST(KeyframeSelectorParams, NamesFieldAndValueOfWhatIsWrong) {
   KeyframeSelectorParams params;
-  params.min_turn = kNaN;
+  params.min_turn = test::kNaN;
   try {
     KeyframeSelector selector(params);
     FAIL() << "no error";

@@ -10,11 +10,10 @@
 
 #include "support/drives.hpp"
 #include "support/hand_made_scans.hpp"
+#include "support/numbers.hpp"
 
 namespace falko_slam {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // An odometry with steps a tenth too long that turns by 2 degrees a step.
 Pose2 worn(const Pose2& step) {
@@ -107,7 +106,7 @@ TEST(ScanOdometry, DoesNotLookBackOverAReset) {
 
 TEST(ScanOdometryParams, NamesFieldAndValueOfWhatIsWrong) {
   ScanOdometryParams params;
-  params.min_agreement = kNaN;
+  params.min_agreement = test::kNaN;
   try {
     ScanOdometry odometry(params);
     FAIL() << "no error";

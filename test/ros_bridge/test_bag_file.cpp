@@ -10,6 +10,7 @@
 
 #include "support/bag_contents.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
@@ -19,8 +20,6 @@ std_msgs::String text(const std::string& data) {
   message.data = data;
   return message;
 }
-
-Time at(int seconds) { return Time(std::chrono::seconds(seconds)); }
 
 // No file grows beyond `bytes` as long as it lives: a disk that is full.
 class FullDisk {
@@ -47,7 +46,7 @@ class BagFileTest : public ::testing::Test {
  protected:
   void write(const std::string& data, bool replace = true) const {
     BagFile file(path_, replace);
-    file.write("topic", at(1), text(data));
+    file.write("topic", test::at_seconds(1), text(data));
     file.finish();
   }
   std::string content() const {
@@ -80,7 +79,7 @@ TEST_F(BagFileTest, RefusesAFileThatExists) {
 TEST_F(BagFileTest, TheOldFileStaysUntilTheNewOneIsFinished) {
   write("first");
   BagFile file(path_, true);
-  file.write("topic", at(1), text("second"));
+  file.write("topic", test::at_seconds(1), text("second"));
   EXPECT_EQ(content(), "first");
   file.finish();
   EXPECT_EQ(content(), "second");
@@ -90,7 +89,7 @@ TEST_F(BagFileTest, RemovesWhatWasNotFinished) {
   write("first");
   {
     BagFile file(path_, true);
-    file.write("topic", at(1), text("second"));
+    file.write("topic", test::at_seconds(1), text("second"));
     EXPECT_EQ(folder_.names().size(), 2U);
   }
   EXPECT_EQ(content(), "first");
@@ -100,7 +99,7 @@ TEST_F(BagFileTest, RemovesWhatWasNotFinished) {
 TEST_F(BagFileTest, TimesNeverRunBackward) {
   BagFile file(path_, false);
   for (const int second : {5, 3, 4, 5, 6}) {
-    file.write("topic", at(second), text(std::to_string(second)));
+    file.write("topic", test::at_seconds(second), text(std::to_string(second)));
   }
   file.finish();
   EXPECT_EQ(file.moved_times(), 2U);
@@ -113,7 +112,7 @@ TEST_F(BagFileTest, TimesNeverRunBackward) {
 TEST_F(BagFileTest, MessagesOfOneTimePlayInTheOrderOfWriting) {
   const std::vector<std::string> topics = {"d", "b", "c", "a", "e", "b", "a"};
   BagFile file(path_, false);
-  for (const std::string& topic : topics) file.write(topic, at(1), text(topic));
+  for (const std::string& topic : topics) file.write(topic, test::at_seconds(1), text(topic));
   file.finish();
   EXPECT_EQ(file.moved_times(), 0U);
   EXPECT_EQ(test::topics_in_order(test::bag_messages(path_)),
@@ -137,7 +136,7 @@ TEST_F(BagFileTest, MovesATimeOfZeroToTheFirstOneThatABagMayHold) {
 
 TEST_F(BagFileTest, LatchedMessagesSayThatTheyAreAndCanBeRead) {
   BagFile file(path_, false);
-  file.write_latched("topic", at(1), text("latched"));
+  file.write_latched("topic", test::at_seconds(1), text("latched"));
   file.finish();
   EXPECT_EQ(content(), "latched");
   rosbag::Bag bag(path_);

@@ -6,19 +6,19 @@
 
 #include <cmath>
 
+#include "support/times.hpp"
+
 namespace falko_slam {
 namespace {
 
 using visualization_msgs::Marker;
 
-Time at(int seconds) { return Time{std::chrono::seconds(seconds)}; }
-
 // A vehicle that has gone 2 m ahead from (10, 5), looking along y; its laser sits 1 m before it.
 class Drawn : public ::testing::Test {
  protected:
   Drawn() : markers_(params(), Pose2(10.0, 5.0, M_PI / 2.0)) {
-    markers_.add_pose(at(1), Pose2());
-    markers_.add_pose(at(2), Pose2(2.0, 0.0, 0.0));
+    markers_.add_pose(test::at_seconds(1), Pose2());
+    markers_.add_pose(test::at_seconds(2), Pose2(2.0, 0.0, 0.0));
   }
   static CalibrationSessionParams params() {
     CalibrationSessionParams params;
@@ -27,7 +27,7 @@ class Drawn : public ::testing::Test {
   }
   static std::vector<SessionArc> arcs() {
     std::vector<SessionArc> arcs(2);
-    arcs[0].recorded.end = at(2);
+    arcs[0].recorded.end = test::at_seconds(2);
     arcs[0].residual = Eigen::Vector3d(0.01, 0.0, 0.0);
     arcs[1].recorded.complaint = "no reflectors";
     return arcs;
@@ -53,7 +53,8 @@ TEST_F(Drawn, ShowsWhatIsPlannedAndDriven) {
 }
 
 TEST_F(Drawn, KnowsTheNewestPoseAndFewOfTheOthers) {
-  for (int i = 1; i <= 1000; ++i) markers_.add_pose(at(2 + i), Pose2(2.0 + 1e-3 * i, 0.0, 0.0));
+  for (int i = 1; i <= 1000; ++i)
+    markers_.add_pose(test::at_seconds(2 + i), Pose2(2.0 + 1e-3 * i, 0.0, 0.0));
   const Marker driven = drawn()[1];
   EXPECT_NEAR(driven.points.back().y, 8.0, 1e-12);
   EXPECT_LT(driven.points.size(), 15U);
@@ -61,7 +62,7 @@ TEST_F(Drawn, KnowsTheNewestPoseAndFewOfTheOthers) {
 
 TEST_F(Drawn, ShowsReflectorsWhereTheyAre) {
   ReflectorObservation observation;
-  observation.first_beam = at(3);
+  observation.first_beam = test::at_seconds(3);
   observation.reflectors = {{{4.0, 1.0}, Duration::zero()}};
   markers_.set_reflectors(observation);
   const Marker reflectors = drawn()[2];
@@ -72,9 +73,9 @@ TEST_F(Drawn, ShowsReflectorsWhereTheyAre) {
 }
 
 TEST_F(Drawn, KnowsWhereItHalted) {
-  for (int i = 3; i < 10; ++i) markers_.add_pose(at(i), Pose2(2.0, 0.0, 0.015));
+  for (int i = 3; i < 10; ++i) markers_.add_pose(test::at_seconds(i), Pose2(2.0, 0.0, 0.015));
   ReflectorObservation observation;
-  observation.first_beam = at(8);
+  observation.first_beam = test::at_seconds(8);
   observation.reflectors = {{{9.0, 0.0}, Duration::zero()}};
   markers_.set_reflectors(observation);
   EXPECT_NEAR(drawn()[2].points.at(0).x, 10.0 - 10.0 * std::sin(0.015), 1e-12);

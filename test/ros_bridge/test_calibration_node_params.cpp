@@ -9,25 +9,16 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "support/field_values.hpp"
+#include "support/refusals.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {
 namespace {
 
-CalibrationNodeParams read(XmlRpc::XmlRpcValue tree, std::vector<std::string>* unknown = nullptr) {
+CalibrationNodeParams read_calibration(XmlRpc::XmlRpcValue tree,
+                                       std::vector<std::string>* unknown = nullptr) {
   std::vector<std::string> names;
   return read_calibration_node_params(tree, "/calibration", unknown ? *unknown : names);
-}
-
-void expect_refused(const XmlRpc::XmlRpcValue& tree, const std::string& words) {
-  try {
-    read(tree);
-    ADD_FAILURE() << words;
-  } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("/calibration"), std::string::npos) << text;
-    EXPECT_NE(text.find(words), std::string::npos) << text;
-  }
 }
 
 std::map<std::string, std::string> values_of(const CalibrationNodeParams& params) {
@@ -62,7 +53,7 @@ TEST(CalibrationNodeParams, AreReadByTheirNames) {
   tree["arcs"]["turn"] = 2.0;
   tree["noise"]["slipp"] = 2.0;
   std::vector<std::string> unknown;
-  const CalibrationNodeParams params = read(tree, &unknown);
+  const CalibrationNodeParams params = read_calibration(tree, &unknown);
 
   EXPECT_EQ(params.session.calibrator.model, TricycleModel::kStandard);
   EXPECT_EQ(params.vehicle.encoder_source, EncoderSource::kJoints);
@@ -90,7 +81,7 @@ TEST(CalibrationNodeParams, BeginWithAnEarlierCalibration) {
   tree["folder"] = folder.path();
   tree["vehicle"]["calibration_file"] = "earlier.yaml";
   tree["vehicle"]["wheelbase"] = 1.5;  // counts less
-  const CalibrationSessionParams session = read(tree).session;
+  const CalibrationSessionParams session = read_calibration(tree).session;
 
   EXPECT_EQ(vector_of(believed_calibration(session)), values);
   EXPECT_EQ(session.calibrator.wheelbase, 1.4);
@@ -99,25 +90,26 @@ TEST(CalibrationNodeParams, BeginWithAnEarlierCalibration) {
 TEST(CalibrationNodeParams, AreRefusedByName) {
   XmlRpc::XmlRpcValue tree;
   tree["control_period"] = 0.0;
-  expect_refused(tree, "control_period");
+  test::expect_refused([&] { read_calibration(tree); }, {"/calibration", "control_period"});
   tree = XmlRpc::XmlRpcValue();
   tree["model"] = "differential";
-  expect_refused(tree, "model");
+  test::expect_refused([&] { read_calibration(tree); }, {"/calibration", "model"});
   tree = XmlRpc::XmlRpcValue();
   tree["vehicle"]["steer_ticks_per_turn"] = -3;
-  expect_refused(tree, "steer_ticks_per_turn");
+  test::expect_refused([&] { read_calibration(tree); }, {"/calibration", "steer_ticks_per_turn"});
   tree = XmlRpc::XmlRpcValue();
   tree["vehicle"]["wheelbase"] = 0.0;
-  expect_refused(tree, "wheelbase");
+  test::expect_refused([&] { read_calibration(tree); }, {"/calibration", "wheelbase"});
   tree = XmlRpc::XmlRpcValue();
   tree["arcs"]["max_steering"] = 0.2;
-  expect_refused(tree, "max_steering");
+  test::expect_refused([&] { read_calibration(tree); }, {"/calibration", "max_steering"});
   tree = XmlRpc::XmlRpcValue();
   tree["vehicle"]["calibration_file"] = "/missing/calibration.yaml";
-  expect_refused(tree, "/missing/calibration.yaml");
+  test::expect_refused([&] { read_calibration(tree); },
+                       {"/calibration", "/missing/calibration.yaml"});
   tree = XmlRpc::XmlRpcValue();
   tree["odom_frame"] = "";
-  expect_refused(tree, "odom_frame");
+  test::expect_refused([&] { read_calibration(tree); }, {"/calibration", "odom_frame"});
 }
 
 }  // namespace

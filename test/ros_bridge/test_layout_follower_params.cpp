@@ -9,6 +9,7 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "support/field_values.hpp"
+#include "support/refusals.hpp"
 
 namespace falko_slam {
 namespace {
@@ -21,14 +22,9 @@ std::map<std::string, std::string> values_of(const LayoutFollowerNodeParams& par
   return values.values();
 }
 
-void expect_refused(const XmlRpc::XmlRpcValue& tree, const std::string& words) {
+LayoutFollowerNodeParams read_follower(const XmlRpc::XmlRpcValue& tree) {
   std::vector<std::string> unknown;
-  try {
-    read_layout_follower_params(tree, "/layout_follower", unknown);
-    ADD_FAILURE() << words;
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-  }
+  return read_layout_follower_params(tree, "/layout_follower", unknown);
 }
 
 TEST(ShippedLayoutFollowerYaml, HoldsTheDefaultsOfEveryField) {
@@ -60,10 +56,10 @@ TEST(LayoutFollowerNodeParams, HoldTheLayoutAndTheVehicle) {
 TEST(LayoutFollowerNodeParams, AreRefusedByName) {
   XmlRpc::XmlRpcValue tree;
   tree["layout_file"] = std::string("/nowhere/layout.yaml");
-  expect_refused(tree, "/nowhere/layout.yaml");
+  test::expect_refused([&] { read_follower(tree); }, {"/nowhere/layout.yaml"});
   tree["layout_file"] = std::string(kLayout);
   tree["pose_timeout"] = -1.0;
-  expect_refused(tree, "pose_timeout");
+  test::expect_refused([&] { read_follower(tree); }, {"pose_timeout"});
 }
 
 }  // namespace

@@ -7,11 +7,12 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "support/field_values.hpp"
+#include "support/refusals.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/localizer.yaml";
+constexpr char kShippedLocalizer[] = FALKO_SLAM_SOURCE_DIR "/config/localizer.yaml";
 
 std::map<std::string, std::string> values_of(const LocalizerNodeParams& params) {
   test::FieldValues values;
@@ -19,20 +20,11 @@ std::map<std::string, std::string> values_of(const LocalizerNodeParams& params) 
   return values.values();
 }
 
-LocalizerNodeParams read(const XmlRpc::XmlRpcValue& tree) {
+LocalizerNodeParams read_localizer(const XmlRpc::XmlRpcValue& tree) {
   std::vector<std::string> unknown;
   LocalizerNodeParams params = read_localizer_node_params(tree, "/localizer", unknown);
   EXPECT_TRUE(unknown.empty());
   return params;
-}
-
-void expect_refused(const XmlRpc::XmlRpcValue& tree, const std::string& words) {
-  try {
-    read(tree);
-    ADD_FAILURE() << words;
-  } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), words);
-  }
 }
 
 XmlRpc::XmlRpcValue tree_with_map() {
@@ -45,7 +37,7 @@ TEST(ShippedLocalizerYaml, HoldsTheDefaultsOfEveryField) {
   LocalizerNodeParams params;
   test::FieldChanger changer;  // whatever the file leaves out would stay changed
   visit_localizer_node_fields(params, changer);
-  ParameterReader reader(read_parameter_file(kShipped), "~");
+  ParameterReader reader(read_parameter_file(kShippedLocalizer), "~");
   visit_localizer_node_fields(params, reader);
 
   EXPECT_TRUE(reader.unknown().empty()) << reader.unknown().front();
@@ -60,7 +52,7 @@ TEST(LocalizerNodeParameters, ComeFromTheTree) {
   tree["monitor"]["evidence"]["mapped"] = 0.9;
   tree["vehicle"]["laser_x"] = 1.5;
 
-  const LocalizerNodeParams params = read(tree);
+  const LocalizerNodeParams params = read_localizer(tree);
 
   EXPECT_EQ(params.motion_source, MotionSource::kOdometry);
   EXPECT_EQ(params.sight_source, SightSource::kReflectors);
@@ -70,20 +62,24 @@ TEST(LocalizerNodeParameters, ComeFromTheTree) {
 }
 
 TEST(LocalizerNodeParameters, AreRefusedByName) {
-  expect_refused(XmlRpc::XmlRpcValue(),
-                 "/localizer: map_file is empty: there must be a map of landmarks");
+  EXPECT_EQ(test::refusal_of([] { read_localizer(XmlRpc::XmlRpcValue()); }),
+            "/localizer: map_file is empty: there must be a map of landmarks");
   XmlRpc::XmlRpcValue tree = tree_with_map();
   tree["odom_frame"] = "map";
-  expect_refused(tree, "/localizer: map_frame and odom_frame are both map");
+  EXPECT_EQ(test::refusal_of([&] { read_localizer(tree); }),
+            "/localizer: map_frame and odom_frame are both map");
   tree = tree_with_map();
   tree["transform_period"] = 0;
-  expect_refused(tree, "/localizer: transform_period = 0: must be in [0.001, 10]");
+  EXPECT_EQ(test::refusal_of([&] { read_localizer(tree); }),
+            "/localizer: transform_period = 0: must be in [0.001, 10]");
   tree = tree_with_map();
   tree["monitor"]["evidence"]["mapped"] = "all";
-  expect_refused(tree, "/localizer/monitor/evidence/mapped is a text, must be a number");
+  EXPECT_EQ(test::refusal_of([&] { read_localizer(tree); }),
+            "/localizer/monitor/evidence/mapped is a text, must be a number");
   tree = tree_with_map();
   tree["motion_source"] = "wheels";
-  expect_refused(tree, "/localizer/motion_source = wheels: must be encoders or odom");
+  EXPECT_EQ(test::refusal_of([&] { read_localizer(tree); }),
+            "/localizer/motion_source = wheels: must be encoders or odom");
 }
 
 TEST(LocalizerNodeParameters, NamesThatNobodyKnowsAreTold) {

@@ -5,18 +5,13 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gtest/gtest.h>
 
+#include "ros_bridge/good_scan.hpp"
+
 namespace falko_slam {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
-
-ScanReport good_scan() {
-  ScanReport report;
-  report.beam_count = 10;
-  report.status_count[static_cast<std::size_t>(BeamStatus::kValid)] = 10;
-  return report;
-}
 
 LoopDetection some_loop(LoopVerdict best) {
   LoopDetection detection;
@@ -53,7 +48,7 @@ class LoopDiagnosticsTest : public ::testing::Test {
 };
 
 TEST_F(LoopDiagnosticsTest, CountKeyframesAndLoops) {
-  diagnostics_.received(good_scan(), 100.5);
+  diagnostics_.received(test::good_scan(), 100.5);
   diagnostics_.added({20}, some_loop(LoopVerdict::kAccepted), 0.004);
   diagnostics_.added({21}, some_loop(LoopVerdict::kAmbiguous), 0.002);
   expect(101.0, DiagnosticStatus::OK, "2 keyframes, 1 loops");
@@ -70,11 +65,11 @@ TEST_F(LoopDiagnosticsTest, TellTheTimeSpentSinceTheLastReport) {
 }
 
 TEST_F(LoopDiagnosticsTest, WarnOfScansThatTfCannotPlace) {
-  diagnostics_.received(good_scan(), 100.5);
+  diagnostics_.received(test::good_scan(), 100.5);
   diagnostics_.dropped("no transform from laser to odom");
   diagnostics_.dropped("no transform from laser to odom");
   expect(101.0, DiagnosticStatus::WARN, "2 scans dropped: no transform from laser to odom");
-  diagnostics_.received(good_scan(), 101.5);
+  diagnostics_.received(test::good_scan(), 101.5);
   expect(102.0, DiagnosticStatus::OK, "0 keyframes, 0 loops");
   EXPECT_EQ(value("scans dropped for want of a transform"), "2");
 }
@@ -96,7 +91,7 @@ TEST_F(LoopDiagnosticsTest, TellOfScansWithoutUse) {
 }
 
 TEST_F(LoopDiagnosticsTest, BeginAnewAfterALoad) {
-  diagnostics_.received(good_scan(), 100.5);
+  diagnostics_.received(test::good_scan(), 100.5);
   diagnostics_.added({20}, some_loop(LoopVerdict::kAccepted), 0.004);
   diagnostics_.loaded(300);
   expect(101.0, DiagnosticStatus::OK, "300 keyframes, 0 loops");

@@ -15,9 +15,9 @@
 namespace falko_slam {
 namespace {
 
-constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/loop_closure.yaml";
+constexpr char kShippedLoops[] = FALKO_SLAM_SOURCE_DIR "/config/loop_closure.yaml";
 
-YAML::Node shipped_yaml() { return YAML::LoadFile(kShipped); }
+YAML::Node shipped_loops() { return YAML::LoadFile(kShippedLoops); }
 
 std::map<std::string, std::string> values_of(const LoopClosureParams& params) {
   test::FieldValues values;
@@ -26,7 +26,7 @@ std::map<std::string, std::string> values_of(const LoopClosureParams& params) {
 }
 
 TEST(ShippedLoopClosureYaml, HasNoNameThatNobodyReads) {
-  ParameterReader reader(read_parameter_file(kShipped), "~");
+  ParameterReader reader(read_parameter_file(kShippedLoops), "~");
   LoopClosureParams params;
   visit_loop_closure_fields(params, reader);
   EXPECT_EQ(reader.unknown({"odom_frame", "base_frame", "folder", "database"}),
@@ -35,25 +35,25 @@ TEST(ShippedLoopClosureYaml, HasNoNameThatNobodyReads) {
 
 TEST(ShippedLoopClosureYaml, HasEveryField) {
   std::set<std::string> names;
-  for (const auto& group : shipped_yaml()) {
+  for (const auto& group : shipped_loops()) {
     if (!group.second.IsMap()) continue;
     for (const auto& field : group.second) {
       names.insert(group.first.as<std::string>() + "/" + field.first.as<std::string>());
     }
   }
   std::set<std::string> expected;
-  for (const auto& [name, value] : values_of({})) expected.insert(name);
+  for (const auto& [name, value] : values_of(LoopClosureParams())) expected.insert(name);
   EXPECT_EQ(names, expected);
 }
 
 TEST(ShippedLoopClosureYaml, HoldsTheDefaults) {
-  ParameterReader reader(read_parameter_file(kShipped), "~");
+  ParameterReader reader(read_parameter_file(kShippedLoops), "~");
   LoopClosureParams params;
   test::FieldChanger changer;
   visit_loop_closure_fields(params, changer);
-  EXPECT_NE(values_of(params), values_of({}));
+  EXPECT_NE(values_of(params), values_of(LoopClosureParams()));
   visit_loop_closure_fields(params, reader);
-  EXPECT_EQ(values_of(params), values_of({}));
+  EXPECT_EQ(values_of(params), values_of(LoopClosureParams()));
 }
 
 TEST(LoopClosureFields, AreTheDetectorsAndNotCopies) {

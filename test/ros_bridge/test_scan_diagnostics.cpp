@@ -13,7 +13,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-ScanReport good_scan() {
+ScanReport scan_of_ten() {
   ScanReport report;
   report.beam_count = 10;
   report.status_count[static_cast<std::size_t>(BeamStatus::kValid)] = 8;
@@ -71,24 +71,24 @@ TEST_F(Diagnostics, WarnWithoutAnyScan) {
 
 TEST_F(Diagnostics, WarnWhenScansStop) {
   report(100.0);
-  diagnostics_.add(good_scan(), 4, 101.0, 0.001);
+  diagnostics_.add(scan_of_ten(), 4, 101.0, 0.001);
   expect(103.9, DiagnosticStatus::OK, "0.3 scans/s, 4.0 keypoints each");
   expect(104.1, DiagnosticStatus::WARN, "no message on /scan for 3.1 s");
 }
 
 TEST_F(Diagnostics, TellTheRateSinceTheLastReport) {
   report(100.0);
-  for (int i = 1; i <= 16; ++i) diagnostics_.add(good_scan(), 5, 100.0 + 0.125 * i, 0.001);
+  for (int i = 1; i <= 16; ++i) diagnostics_.add(scan_of_ten(), 5, 100.0 + 0.125 * i, 0.001);
   expect(102.0, DiagnosticStatus::OK, "8.0 scans/s, 5.0 keypoints each");
-  for (int i = 1; i <= 4; ++i) diagnostics_.add(good_scan(), 2, 102.0 + 0.25 * i, 0.001);
+  for (int i = 1; i <= 4; ++i) diagnostics_.add(scan_of_ten(), 2, 102.0 + 0.25 * i, 0.001);
   expect(103.0, DiagnosticStatus::OK, "4.0 scans/s, 2.0 keypoints each");
   EXPECT_EQ(value(103.5, "scans"), "20");
 }
 
 TEST_F(Diagnostics, TellTheTimeSpent) {
   report(100.0);
-  diagnostics_.add(good_scan(), 1, 100.5, 0.002);
-  diagnostics_.add(good_scan(), 1, 101.0, 0.004);
+  diagnostics_.add(scan_of_ten(), 1, 100.5, 0.002);
+  diagnostics_.add(scan_of_ten(), 1, 101.0, 0.004);
   const auto status = report(101.0);
   std::map<std::string, std::string> values;
   for (const auto& entry : status.values) values[entry.key] = entry.value;
@@ -105,12 +105,12 @@ TEST_F(Diagnostics, WarnOfAScanWithoutValidBeams) {
   report(100.0);
   diagnostics_.add(blind_scan(), 0, 100.5, 0.001);
   expect(101.0, DiagnosticStatus::WARN, "no valid beam: 10 beams: 0 valid, 10 zero");
-  diagnostics_.add(good_scan(), 3, 101.5, 0.001);
+  diagnostics_.add(scan_of_ten(), 3, 101.5, 0.001);
   expect(102.0, DiagnosticStatus::OK, "1.0 scans/s, 3.0 keypoints each");
 }
 
 TEST_F(Diagnostics, WarnOfAnglesThatDisagree) {
-  ScanReport scan = good_scan();
+  ScanReport scan = scan_of_ten();
   scan.angle_max_excess = -20.0;
   diagnostics_.add(scan, 3, 100.5, 0.001);
   expect(101.0, DiagnosticStatus::WARN,
@@ -133,7 +133,7 @@ TEST_F(Diagnostics, CountBadAngles) {
 }
 
 TEST_F(Diagnostics, CountInvalidBeams) {
-  diagnostics_.add(good_scan(), 3, 100.0, 0.001);
+  diagnostics_.add(scan_of_ten(), 3, 100.0, 0.001);
   diagnostics_.add(blind_scan(), 0, 100.1, 0.001);
   diagnostics_.add(unusable_scan(ScanFault::kNoBeams), 0, 100.2, 0.001);
   EXPECT_EQ(value(101.0, "invalid beams in used scans"), "12");
@@ -141,7 +141,7 @@ TEST_F(Diagnostics, CountInvalidBeams) {
 
 // The one that repeats the first is dropped, but nothing is wrong with it.
 TEST_F(Diagnostics, SurplusBeamsAreNotInvalid) {
-  ScanReport scan = good_scan();
+  ScanReport scan = scan_of_ten();
   scan.beam_count = 11;
   scan.surplus_beams = 1;
   diagnostics_.add(scan, 3, 100.0, 0.001);
@@ -149,7 +149,7 @@ TEST_F(Diagnostics, SurplusBeamsAreNotInvalid) {
 }
 
 TEST_F(Diagnostics, CarryAWarningUntilItIsTakenBack) {
-  diagnostics_.add(good_scan(), 3, 100.0, 0.001);
+  diagnostics_.add(scan_of_ten(), 3, 100.0, 0.001);
   diagnostics_.warn("no transform");
   expect(100.5, DiagnosticStatus::WARN, "no transform");
   expect(101.0, DiagnosticStatus::WARN, "no transform");

@@ -5,17 +5,12 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gtest/gtest.h>
 
+#include "ros_bridge/good_scan.hpp"
+
 namespace falko_slam {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
-
-ScanReport good_scan() {
-  ScanReport report;
-  report.beam_count = 10;
-  report.status_count[static_cast<std::size_t>(BeamStatus::kValid)] = 10;
-  return report;
-}
 
 class ScanTallyTest : public ::testing::Test {
  protected:
@@ -33,12 +28,12 @@ class ScanTallyTest : public ::testing::Test {
 
 TEST_F(ScanTallyTest, LeavesAStatusWhileAllIsWell) {
   expect(101.0, DiagnosticStatus::OK, "as before");
-  tally_.received(good_scan(), 101.0);
+  tally_.received(test::good_scan(), 101.0);
   expect(102.0, DiagnosticStatus::OK, "as before");
 }
 
 TEST_F(ScanTallyTest, TellsOfDropsUntilTheNextReport) {
-  tally_.received(good_scan(), 101.0);
+  tally_.received(test::good_scan(), 101.0);
   tally_.dropped("no transform");
   expect(101.5, DiagnosticStatus::WARN, "1 scans dropped: no transform");
   tally_.begin_window();

@@ -18,9 +18,9 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
-constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/keypoint_detector.yaml";
+constexpr char kShippedDetector[] = FALKO_SLAM_SOURCE_DIR "/config/keypoint_detector.yaml";
 
-YAML::Node shipped_yaml() { return YAML::LoadFile(kShipped); }
+YAML::Node shipped_detector() { return YAML::LoadFile(kShippedDetector); }
 
 std::set<std::string> names_of(const Values& values) {
   std::set<std::string> names;
@@ -35,7 +35,7 @@ dynamic_reconfigure::Config shipped_reconfiguration() {
 }
 
 TEST(ShippedYaml, HasNoNameThatNobodyReads) {
-  ParameterReader reader(read_parameter_file(kShipped), "~");
+  ParameterReader reader(read_parameter_file(kShippedDetector), "~");
   FeatureExtractorParams params;
   visit_feature_extractor_fields(params, reader);
   EXPECT_EQ(reader.unknown(), (std::vector<std::string>{"~/base_frame"}));
@@ -46,7 +46,7 @@ TEST(ShippedYaml, HasNoNameThatNobodyReads) {
 
 TEST(ShippedYaml, HasEveryField) {
   std::set<std::string> names;
-  for (const auto& group : shipped_yaml()) {
+  for (const auto& group : shipped_detector()) {
     if (!group.second.IsMap()) continue;
     for (const auto& field : group.second) {
       names.insert(group.first.as<std::string>() + "/" + field.first.as<std::string>());
@@ -56,7 +56,7 @@ TEST(ShippedYaml, HasEveryField) {
 }
 
 TEST(ShippedYaml, HoldsTheDefaults) {
-  ParameterReader reader(read_parameter_file(kShipped), "~");
+  ParameterReader reader(read_parameter_file(kShippedDetector), "~");
   FeatureExtractorParams params;
   test::FieldChanger changer;
   visit_feature_extractor_fields(params, changer);

@@ -7,11 +7,13 @@
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/yaml_parameters.hpp"
 #include "support/field_values.hpp"
+#include "support/refusals.hpp"
 
 namespace falko_slam {
 namespace {
 
-SimulationNodeParams read(XmlRpc::XmlRpcValue tree, std::vector<std::string>* unknown = nullptr) {
+SimulationNodeParams read_simulation(XmlRpc::XmlRpcValue tree,
+                                     std::vector<std::string>* unknown = nullptr) {
   std::vector<std::string> names;
   return read_simulation_node_params(tree, "/simulator", unknown ? *unknown : names);
 }
@@ -20,16 +22,6 @@ XmlRpc::XmlRpcValue with_scenario() {
   XmlRpc::XmlRpcValue tree;
   tree["scenario"] = "yard.yaml";
   return tree;
-}
-
-void expect_refused(XmlRpc::XmlRpcValue tree, const std::string& name) {
-  try {
-    read(tree);
-    ADD_FAILURE() << name;
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("/simulator/" + name), std::string::npos)
-        << error.what();
-  }
 }
 
 std::map<std::string, std::string> values_of(const SimulationNodeParams& params) {
@@ -57,7 +49,7 @@ TEST(SimulationNodeParams, AreReadByTheirNames) {
   tree["laser_frame"] = "cloud";
   tree["lazer_frame"] = "cloud";
   std::vector<std::string> unknown;
-  const SimulationNodeParams params = read(tree, &unknown);
+  const SimulationNodeParams params = read_simulation(tree, &unknown);
 
   EXPECT_EQ(params.drive, DriveSource::kScenario);
   EXPECT_EQ(params.rate, 4.0);
@@ -66,21 +58,21 @@ TEST(SimulationNodeParams, AreReadByTheirNames) {
 }
 
 TEST(SimulationNodeParams, AreRefusedByName) {
-  expect_refused(XmlRpc::XmlRpcValue(), "scenario");
+  test::expect_refused([&] { read_simulation(XmlRpc::XmlRpcValue()); }, {"/simulator/scenario"});
   XmlRpc::XmlRpcValue tree = with_scenario();
   tree["drive"] = "bag";
-  expect_refused(tree, "drive_bag");
+  test::expect_refused([&] { read_simulation(tree); }, {"/simulator/drive_bag"});
   tree["drive"] = "nobody";
-  expect_refused(tree, "drive");
+  test::expect_refused([&] { read_simulation(tree); }, {"/simulator/drive"});
   tree = with_scenario();
   tree["rate"] = 0.0;
-  expect_refused(tree, "rate");
+  test::expect_refused([&] { read_simulation(tree); }, {"/simulator/rate"});
   tree = with_scenario();
   tree["seed"] = -1;
-  expect_refused(tree, "seed");
+  test::expect_refused([&] { read_simulation(tree); }, {"/simulator/seed"});
   tree = with_scenario();
   tree["odom_frame"] = "";
-  expect_refused(tree, "frames");
+  test::expect_refused([&] { read_simulation(tree); }, {"/simulator/frames"});
 }
 
 }  // namespace

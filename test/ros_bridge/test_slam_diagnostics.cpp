@@ -5,6 +5,8 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gtest/gtest.h>
 
+#include "ros_bridge/good_scan.hpp"
+
 namespace falko_slam {
 namespace {
 
@@ -14,13 +16,6 @@ using diagnostic_updater::DiagnosticStatusWrapper;
 TopicWatch scan_watch() {
   return TopicWatch({"/scan", "sensor_msgs/LaserScan"}, 100.0, 1.5,
                     [] { return std::optional<TopicDirectory>(); });
-}
-
-ScanReport good_scan() {
-  ScanReport report;
-  report.beam_count = 10;
-  report.status_count[static_cast<std::size_t>(BeamStatus::kValid)] = 10;
-  return report;
 }
 
 SlamStep anchored_step() {
@@ -49,7 +44,7 @@ class SlamDiagnosticsTest : public ::testing::Test {
     return "no such key";
   }
   void run() {
-    diagnostics_.received(good_scan(), {100.5, 10.5});
+    diagnostics_.received(test::good_scan(), {100.5, 10.5});
     diagnostics_.processed(anchored_step(), 0.002);
   }
 
@@ -143,7 +138,7 @@ TEST_F(SlamDiagnosticsTest, ShowWarningsFromOutside) {
 
 TEST(SlamDiagnostics, SayThatThereIsNoOdometry) {
   SlamDiagnostics diagnostics(scan_watch(), false, 3.0);
-  diagnostics.received(good_scan(), {100.5, 10.5});
+  diagnostics.received(test::good_scan(), {100.5, 10.5});
   diagnostics.processed(anchored_step(), 0.002);
   DiagnosticStatusWrapper status;
   diagnostics.report(status, {100.6, 10.6});

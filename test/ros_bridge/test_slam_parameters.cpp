@@ -15,7 +15,7 @@
 namespace falko_slam {
 namespace {
 
-constexpr char kShipped[] = FALKO_SLAM_SOURCE_DIR "/config/slam.yaml";
+constexpr char kShippedSlam[] = FALKO_SLAM_SOURCE_DIR "/config/slam.yaml";
 
 std::map<std::string, std::string> values_of(const SlamNodeParams& params) {
   test::FieldValues values;
@@ -41,15 +41,15 @@ std::string complaint_of(const XmlRpc::XmlRpcValue& tree) {
 }
 
 TEST(ShippedSlamYaml, HoldsTheDefaultsOfEveryField) {
-  ParameterReader reader(read_parameter_file(kShipped), "~");
+  ParameterReader reader(read_parameter_file(kShippedSlam), "~");
   SlamNodeParams params;
   NodeChanger changer;
   visit_slam_node_fields(params, changer);
   visit_slam_fields(params.slam, changer);
-  EXPECT_NE(values_of(params), values_of({}));
+  EXPECT_NE(values_of(params), values_of(SlamNodeParams()));
   visit_slam_node_fields(params, reader);
   visit_slam_fields(params.slam, reader);
-  EXPECT_EQ(values_of(params), values_of({}));
+  EXPECT_EQ(values_of(params), values_of(SlamNodeParams()));
   EXPECT_EQ(reader.unknown(), std::vector<std::string>());
 }
 

@@ -7,19 +7,20 @@
 #include <limits>
 
 #include "support/simulated_worlds.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using std::chrono::milliseconds;
 using test::kBegin;
-constexpr Duration kPeriod = milliseconds(20);
 
 class CommandedDriverTest : public ::testing::Test {
  protected:
   void drive(int periods) {
     for (int i = 0; i < periods; ++i) {
-      vehicle_.drive(kPeriod, std::get<WheelCommand>(*driver_.next(vehicle_, kPeriod)));
+      vehicle_.drive(test::kControlPeriod,
+                     std::get<WheelCommand>(*driver_.next(vehicle_, test::kControlPeriod)));
     }
   }
 

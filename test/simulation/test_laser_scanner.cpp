@@ -22,17 +22,13 @@ SimulatedScan scan_at_rest(const World& world, const LaserModel& laser, const Po
   return scanner.scan(kBegin, test::track_of(place), random);
 }
 
-double bearing(const LaserModel& laser, std::size_t beam) {
-  return laser.angle_min + static_cast<double>(beam) * laser.angle_increment;
-}
-
 TEST(LaserScanner, MeasuresTheWallInEachDirection) {
   const LaserModel laser = ideal_laser();
   const SimulatedScan scan = scan_at_rest(test::world_with_wall_at(6.0), laser, {1.0, 3.0, 0.4});
 
   ASSERT_EQ(scan.ranges.size(), laser.beams);
   for (std::size_t i = 0; i < laser.beams; ++i) {
-    const double towards = std::cos(0.4 + bearing(laser, i));
+    const double towards = std::cos(0.4 + test::bearing(laser, i));
     const double expected = towards > 0.0 ? 5.0 / towards : std::numeric_limits<double>::infinity();
     if (expected < 99.0) {
       EXPECT_NEAR(scan.ranges[i], expected, 2e-6 * expected) << i;
@@ -61,8 +57,9 @@ TEST(LaserScanner, SeesTheNearestThingOnly) {
   const SimulatedScan scan = scan_at_rest(world, ideal_laser());
 
   EXPECT_NEAR(scan.ranges[720], 1.75, 1e-6);
-  EXPECT_NEAR(scan.ranges[720 + 31], 3.0 / std::cos(bearing(ideal_laser(), 720 + 31)), 1e-5);
-  EXPECT_NEAR(scan.ranges[720 + 120], 6.0 / std::cos(bearing(ideal_laser(), 720 + 120)), 1e-5);
+  EXPECT_NEAR(scan.ranges[720 + 31], 3.0 / std::cos(test::bearing(ideal_laser(), 720 + 31)), 1e-5);
+  EXPECT_NEAR(scan.ranges[720 + 120], 6.0 / std::cos(test::bearing(ideal_laser(), 720 + 120)),
+              1e-5);
 }
 
 TEST(LaserScanner, HasTheNoiseThatTheModelStates) {
@@ -126,8 +123,8 @@ TEST(LaserScanner, MixesPixelsAtEdges) {
 
   EXPECT_GT(scan.ranges[720], 5.05F);
   EXPECT_LT(scan.ranges[720], 5.15F);
-  EXPECT_NEAR(scan.ranges[710], 5.0 / std::cos(bearing(laser, 710)), 1e-3);
-  EXPECT_NEAR(scan.ranges[730], 5.2 / std::cos(bearing(laser, 730)), 1e-3);
+  EXPECT_NEAR(scan.ranges[710], 5.0 / std::cos(test::bearing(laser, 710)), 1e-3);
+  EXPECT_NEAR(scan.ranges[730], 5.2 / std::cos(test::bearing(laser, 730)), 1e-3);
 }
 
 TEST(LaserScanner, ReflectorsAreManyTimesBrighterAndSmeared) {

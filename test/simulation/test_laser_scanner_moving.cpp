@@ -17,10 +17,6 @@ namespace {
 using test::ideal_laser;
 using test::kBegin;
 
-double bearing(const LaserModel& laser, std::size_t beam) {
-  return laser.angle_min + static_cast<double>(beam) * laser.angle_increment;
-}
-
 SimulatedScan scan_on_arc(const World& world, const LaserModel& laser, const Pose2& start,
                           const Eigen::Vector3d& tangent) {
   auto random = test::seeded_random();
@@ -36,7 +32,7 @@ TEST(LaserScannerMoving, TurningOnTheSpotSkewsTheBearings) {
 
   for (std::size_t i = 500; i < 900; ++i) {
     const double turned = kTurnRate * static_cast<double>(i) * laser.time_increment;
-    const double towards = std::cos(bearing(laser, i) + turned);
+    const double towards = std::cos(test::bearing(laser, i) + turned);
     EXPECT_NEAR(scan.ranges[i], 4.0 / towards, 1e-5 * scan.ranges[i]) << i;
   }
 }
@@ -48,7 +44,7 @@ TEST(LaserScannerMoving, DrivingAtAWallShortensItsRanges) {
 
   for (std::size_t i = 500; i < 900; ++i) {
     const double driven = 1.5 * static_cast<double>(i) * laser.time_increment;
-    EXPECT_NEAR(scan.ranges[i], (10.0 - driven) / std::cos(bearing(laser, i)),
+    EXPECT_NEAR(scan.ranges[i], (10.0 - driven) / std::cos(test::bearing(laser, i)),
                 1e-5 * scan.ranges[i])
         << i;
   }

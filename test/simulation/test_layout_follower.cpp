@@ -11,12 +11,12 @@
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/simulated_vehicle.hpp"
 #include "support/simulated_worlds.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using test::kBegin;
-constexpr Duration kPeriod = std::chrono::milliseconds(20);
 
 FollowStep path(std::vector<Eigen::Vector2d> through, const std::string& name = "",
                 bool backward = false) {
@@ -43,8 +43,8 @@ class LedVehicle {
     if (command.wheel_speed != 0.0)
       farthest_ = std::max(farthest_, std::abs(follower_.cross_track()));
     const Pose2 before = vehicle_.world_T_base();
-    vehicle_.drive(kPeriod, command);
-    speed_ = (before.inverse() * vehicle_.world_T_base()).x() / to_seconds(kPeriod);
+    vehicle_.drive(test::kControlPeriod, command);
+    speed_ = (before.inverse() * vehicle_.world_T_base()).x() / to_seconds(test::kControlPeriod);
   }
 
   LayoutFollowerParams params() const {

@@ -5,20 +5,20 @@
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/simulation/driver.hpp"
 #include "support/simulated_worlds.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using std::chrono::milliseconds;
 using test::kBegin;
-constexpr Duration kPeriod = milliseconds(20);
 
 SimulatedVehicle led(Driver& driver, const VehicleModel& model) {
   SimulatedVehicle vehicle(model, {}, kBegin, 1);
   for (int i = 0; i < 100000; ++i) {
-    const auto input = driver.next(vehicle, kPeriod);
+    const auto input = driver.next(vehicle, test::kControlPeriod);
     if (!input) break;
-    std::visit([&](const auto& motion) { vehicle.drive(kPeriod, motion); }, *input);
+    std::visit([&](const auto& motion) { vehicle.drive(test::kControlPeriod, motion); }, *input);
   }
   return vehicle;
 }
@@ -64,7 +64,8 @@ TEST(RecordedDrive, CommandsHoldUntilTheNextOneOrTheTimeout) {
       milliseconds(500));
   SimulatedVehicle vehicle(model, {}, kBegin, 1);
 
-  vehicle.drive(kPeriod, std::get<WheelCommand>(*driver->next(vehicle, kPeriod)));
+  vehicle.drive(test::kControlPeriod,
+                std::get<WheelCommand>(*driver->next(vehicle, test::kControlPeriod)));
   EXPECT_GT(vehicle.wheel_speed(), 0.0);
   const SimulatedVehicle halted = led(*driver, model);
   EXPECT_EQ(halted.wheel_speed(), 0.0);
@@ -74,12 +75,13 @@ TEST(RecordedDrive, CommandsHoldUntilTheNextOneOrTheTimeout) {
 }
 
 TEST(RecordedDrive, CommandsMustNotRunBack) {
-  EXPECT_THROW(recorded_commands({{kBegin, {}}, {kBegin - kPeriod, {}}}, kPeriod),
-               std::invalid_argument);
+  EXPECT_THROW(
+      recorded_commands({{kBegin, {}}, {kBegin - test::kControlPeriod, {}}}, test::kControlPeriod),
+      std::invalid_argument);
 }
 
 TEST(RecordedDrive, NothingRecordedIsOverAtOnce) {
-  EXPECT_EQ(led(*recorded_commands({}, kPeriod), {}).time(), kBegin);
+  EXPECT_EQ(led(*recorded_commands({}, test::kControlPeriod), {}).time(), kBegin);
   EXPECT_EQ(led(*recorded_encoders({}, {}), {}).time(), kBegin);
 }
 

@@ -9,12 +9,12 @@
 #include "falko_slam/simulation/scenario.hpp"
 #include "rounded_path.hpp"
 #include "support/simulated_worlds.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using test::kBegin;
-constexpr Duration kPeriod = std::chrono::milliseconds(20);
 
 struct Led {
   SimulatedVehicle vehicle;
@@ -26,9 +26,9 @@ Led led(const std::vector<DriveStep>& steps, const Pose2& start = {}) {
   Led result{SimulatedVehicle(model, start, kBegin, 1)};
   const auto driver = scenario_driver(steps, model);
   for (int i = 0; i < 100000; ++i) {
-    const auto input = driver->next(result.vehicle, kPeriod);
+    const auto input = driver->next(result.vehicle, test::kControlPeriod);
     if (!input) break;
-    result.vehicle.drive(kPeriod, std::get<WheelCommand>(*input));
+    result.vehicle.drive(test::kControlPeriod, std::get<WheelCommand>(*input));
     result.farthest_from_line =
         std::max(result.farthest_from_line, std::abs(result.vehicle.world_T_base().y()));
   }
@@ -58,9 +58,9 @@ TEST(ScenarioDriver, SteersAtRestBeforeEachArc) {
   SimulatedVehicle vehicle(model, {30.1, -7.3, 0.77}, kBegin, 1);
   const auto driver = scenario_driver(
       {ArcStep{0.5, 0.2, 0.5, 0.0}, WaitStep{0.5}, ArcStep{0.5, 0.6, 0.5, 0.0}}, model);
-  while (const auto input = driver->next(vehicle, kPeriod)) {
+  while (const auto input = driver->next(vehicle, test::kControlPeriod)) {
     const double before = vehicle.steering();
-    vehicle.drive(kPeriod, std::get<WheelCommand>(*input));
+    vehicle.drive(test::kControlPeriod, std::get<WheelCommand>(*input));
     if (vehicle.wheel_speed() != 0.0) {
       EXPECT_EQ(vehicle.steering(), before);
     }

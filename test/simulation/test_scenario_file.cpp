@@ -9,6 +9,7 @@
 
 #include "falko_slam/simulation/scenario_fields.hpp"
 #include "support/field_values.hpp"
+#include "support/poses.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {
@@ -55,12 +56,6 @@ void expect_face(const Face& face, const Eigen::Vector2d& from, const Eigen::Vec
   EXPECT_TRUE(face.to.isApprox(to, 1e-12)) << face.to.transpose();
 }
 
-void expect_pose(const Pose2& pose, double x, double y, double theta) {
-  EXPECT_NEAR(pose.x(), x, 1e-12);
-  EXPECT_NEAR(pose.y(), y, 1e-12);
-  EXPECT_NEAR(pose.theta(), theta, 1e-12);
-}
-
 template <class Model>
 std::map<std::string, std::string> values_of(const Model& model) {
   test::FieldValues values;
@@ -72,7 +67,7 @@ std::map<std::string, std::string> values_of(const Model& model) {
 TEST_F(ScenarioFile, LeavesTheDefaultsOfTheModels) {
   const Scenario scenario = read("world:\n");
   EXPECT_EQ(scenario.name, "yard");
-  expect_pose(scenario.world_T_start, 0.0, 0.0, 0.0);
+  test::expect_near(scenario.world_T_start, {0.0, 0.0, 0.0}, 1e-12);
   EXPECT_EQ(values_of(scenario.vehicle), values_of(VehicleModel()));
   EXPECT_EQ(values_of(scenario.laser), values_of(LaserModel()));
   EXPECT_TRUE(scenario.world.fixed.faces.empty());
@@ -86,7 +81,7 @@ TEST_F(ScenarioFile, ReadsNameStartAndSurfaces) {
       "name: a yard\nstart: [1, 2, deg(90)]\nworld: []\n"
       "surfaces:\n  brick: {reflectivity: 0.35}\n  dark: {reflectivity: 0.02, retro_gain: 3}\n");
   EXPECT_EQ(scenario.name, "a yard");
-  expect_pose(scenario.world_T_start, 1.0, 2.0, 0.5 * kPi);
+  test::expect_near(scenario.world_T_start, {1.0, 2.0, 0.5 * kPi}, 1e-12);
   const auto& surfaces = scenario.world.surfaces;
   EXPECT_EQ(surfaces.at(surface(scenario, "brick")).reflectivity, 0.35);
   EXPECT_EQ(surfaces.at(surface(scenario, "brick")).retro_gain, 0.0);
@@ -172,7 +167,7 @@ TEST_F(ScenarioFile, ReadsWhatMoves) {
   ASSERT_EQ(person.shape.cylinders.size(), 2U);
   EXPECT_EQ(person.shape.cylinders[1].center, Eigen::Vector2d(0.0, 0.3));
   ASSERT_EQ(person.motion.through.size(), 2U);
-  expect_pose(person.motion.through[1], 3.0, 2.0, -kPi);
+  test::expect_near(person.motion.through[1], {3.0, 2.0, -kPi}, 1e-12);
   EXPECT_EQ(person.motion.speed, 0.5);
   EXPECT_EQ(person.motion.repeat, BodyMotion::Repeat::kBackAndForth);
   EXPECT_EQ(person.appears, 0.0);
@@ -192,7 +187,7 @@ TEST_F(ScenarioFile, ReadsWhatIsThereForATime) {
   const Body& pallet = scenario.world.bodies[0];
   EXPECT_EQ(pallet.appears, 10.0);
   EXPECT_EQ(pallet.disappears, 20.0);
-  expect_pose(pose_at(pallet.motion, 15.0), 0.0, 0.0, 0.0);
+  test::expect_near(pose_at(pallet.motion, 15.0), {0.0, 0.0, 0.0}, 1e-12);
   expect_face(pallet.shape.faces[0], {3.4, 4.6}, {4.6, 4.6});
   const Body& wall = scenario.world.bodies[1];
   EXPECT_EQ(wall.disappears, kInfinity);
@@ -210,8 +205,8 @@ TEST_F(ScenarioFile, ReadsVehicleAndLaser) {
   EXPECT_EQ(vehicle.tricycle.wheelbase, 1.2);
   EXPECT_NEAR(vehicle.tricycle.steer_offset_forward, degrees_to_radians(-1.0), 1e-15);
   EXPECT_EQ(vehicle.tricycle.driving_scale, VehicleModel().tricycle.driving_scale);
-  expect_pose(vehicle.base_T_laser, 0.5, VehicleModel().base_T_laser.y(), 0.1);
-  expect_pose(vehicle.nominal_base_T_laser, 0.39, 0.2, 0.0);
+  test::expect_near(vehicle.base_T_laser, {0.5, VehicleModel().base_T_laser.y(), 0.1}, 1e-12);
+  test::expect_near(vehicle.nominal_base_T_laser, {0.39, 0.2, 0.0}, 1e-12);
   EXPECT_EQ(vehicle.encoders.steer_ticks_per_turn, 4096U);
   EXPECT_EQ(vehicle.first_drive_ticks, 12U);
   EXPECT_EQ(vehicle.actuators.max_wheel_speed, 2.0);

@@ -9,13 +9,13 @@
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/vehicle/wheel_command.hpp"
 #include "support/simulated_worlds.hpp"
+#include "support/times.hpp"
 
 namespace falko_slam {
 namespace {
 
 using std::chrono::milliseconds;
 using test::kBegin;
-constexpr Duration kPeriod = milliseconds(20);
 
 // What its controller believes is true.
 VehicleModel well_known() {
@@ -29,9 +29,9 @@ VehicleModel well_known() {
 SimulatedVehicle arc_driven(const VehicleModel& model, double speed, double steering,
                             double seconds, std::uint64_t seed = 1) {
   SimulatedVehicle vehicle(model, {}, kBegin, seed);
-  for (int i = 0; i < 150; ++i) vehicle.drive(kPeriod, WheelCommand{0.0, steering});
+  for (int i = 0; i < 150; ++i) vehicle.drive(test::kControlPeriod, WheelCommand{0.0, steering});
   for (double t = 0.0; t < seconds - 1e-9; t += 0.02) {
-    vehicle.drive(kPeriod, WheelCommand{speed, steering});
+    vehicle.drive(test::kControlPeriod, WheelCommand{speed, steering});
   }
   return vehicle;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "support/poses.hpp"
+
 namespace falko_slam {
 namespace {
 
@@ -27,27 +29,21 @@ std::string complaint_about(const std::string& text) {
   return "none";
 }
 
-void expect_pose(const Pose2& pose, double x, double y, double theta) {
-  EXPECT_NEAR(pose.x(), x, 1e-12);
-  EXPECT_NEAR(pose.y(), y, 1e-12);
-  EXPECT_NEAR(pose.theta(), theta, 1e-12);
-}
-
 TEST(ThingCopies, AreTheThingAloneIfNothingIsSaid) {
   const auto copies = copies_of("{}");
   ASSERT_EQ(copies.size(), 1U);
-  expect_pose(copies[0], 1.0, 2.0, 0.5);
+  test::expect_near(copies[0], {1.0, 2.0, 0.5}, 1e-12);
 }
 
 TEST(ThingCopies, StandInRowsAndBlocks) {
   const auto row = copies_of("repeat: {count: 3, step: [1, -2, 0.1]}");
   ASSERT_EQ(row.size(), 3U);
-  expect_pose(row[2], 3.0, -2.0, 0.7);
+  test::expect_near(row[2], {3.0, -2.0, 0.7}, 1e-12);
   const auto block = copies_of("repeat: [{count: 3, step: [1, 0]}, {count: 2, step: [0, 5]}]");
   ASSERT_EQ(block.size(), 6U);
-  expect_pose(block[1], 2.0, 2.0, 0.5);
-  expect_pose(block[3], 1.0, 7.0, 0.5);
-  expect_pose(block[5], 3.0, 7.0, 0.5);
+  test::expect_near(block[1], {2.0, 2.0, 0.5}, 1e-12);
+  test::expect_near(block[3], {1.0, 7.0, 0.5}, 1e-12);
+  test::expect_near(block[5], {3.0, 7.0, 0.5}, 1e-12);
 }
 
 TEST(ThingCopies, ScatterButEachAlwaysAlike) {
@@ -55,8 +51,8 @@ TEST(ThingCopies, ScatterButEachAlwaysAlike) {
   const auto copies = copies_of(text + "}");
   const auto fewer = copies_of(text + ", without: [0, 7]}");
   ASSERT_EQ(fewer.size(), 48U);
-  expect_pose(fewer[0], copies[1].x(), copies[1].y(), copies[1].theta());
-  expect_pose(fewer[47], copies[49].x(), copies[49].y(), copies[49].theta());
+  test::expect_near(fewer[0], {copies[1].x(), copies[1].y(), copies[1].theta()}, 1e-12);
+  test::expect_near(fewer[47], {copies[49].x(), copies[49].y(), copies[49].theta()}, 1e-12);
   EXPECT_NE(copies[0].x(), copies_of(text + "}", 2)[0].x());
   EXPECT_NE(copies[0].x(), copies_of(text + "}", 1, 1)[0].x());
   for (const Pose2& copy : copies) {

@@ -5,17 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/poses.hpp"
 
 namespace falko_slam {
 namespace {
 
 using Repeat = BodyMotion::Repeat;
-
-void expect_pose(const Pose2& pose, double x, double y, double theta) {
-  EXPECT_NEAR(pose.x(), x, 1e-12);
-  EXPECT_NEAR(pose.y(), y, 1e-12);
-  EXPECT_NEAR(angle_between(pose.theta(), theta), 0.0, 1e-12);
-}
 
 // 4 m at 2 m/s, a quarter turn where it stands, 2 m back down.
 BodyMotion errand(Repeat repeat) {
@@ -46,27 +41,28 @@ TEST(AddBox, AddsFourFacesAroundARectangle) {
 
 TEST(BodyMotion, MovesAtItsSpeedAndTurnsAtOneRadianPerSecond) {
   const BodyMotion motion = errand(Repeat::kOnce);
-  expect_pose(pose_at(motion, -1.0), 0.0, 0.0, 0.0);
-  expect_pose(pose_at(motion, 0.0), 0.0, 0.0, 0.0);
-  expect_pose(pose_at(motion, 0.5), 1.0, 0.0, 0.0);
-  expect_pose(pose_at(motion, 2.0), 4.0, 0.0, 0.0);
-  expect_pose(pose_at(motion, 3.0), 4.0, 0.0, -1.0);
-  expect_pose(pose_at(motion, 2.0 + 0.5 * kPi + 0.25), 4.0, -0.5, -0.5 * kPi);
-  expect_pose(pose_at(motion, 100.0), 4.0, -2.0, -0.5 * kPi);
+  test::expect_near(pose_at(motion, -1.0), {0.0, 0.0, 0.0}, 1e-12);
+  test::expect_near(pose_at(motion, 0.0), {0.0, 0.0, 0.0}, 1e-12);
+  test::expect_near(pose_at(motion, 0.5), {1.0, 0.0, 0.0}, 1e-12);
+  test::expect_near(pose_at(motion, 2.0), {4.0, 0.0, 0.0}, 1e-12);
+  test::expect_near(pose_at(motion, 3.0), {4.0, 0.0, -1.0}, 1e-12);
+  test::expect_near(pose_at(motion, 2.0 + 0.5 * kPi + 0.25), {4.0, -0.5, -0.5 * kPi}, 1e-12);
+  test::expect_near(pose_at(motion, 100.0), {4.0, -2.0, -0.5 * kPi}, 1e-12);
 }
 
 TEST(BodyMotion, TurnsEvenlyAndTheShortWayRound) {
   const BodyMotion motion{{{0.0, 0.0, 3.0}, {2.0, 0.0, -3.0}}, 1.0, Repeat::kOnce};
-  expect_pose(pose_at(motion, 1.0), 1.0, 0.0, kPi);
-  expect_pose(pose_at(motion, 0.5), 0.5, 0.0, 3.0 + 0.25 * (kTwoPi - 6.0));
+  test::expect_near(pose_at(motion, 1.0), {1.0, 0.0, kPi}, 1e-12);
+  test::expect_near(pose_at(motion, 0.5), {0.5, 0.0, 3.0 + 0.25 * (kTwoPi - 6.0)}, 1e-12);
 }
 
 TEST(BodyMotion, GoesRoundFromTheLastPlaceToTheFirst) {
   const BodyMotion motion{{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 4.0, 0.0}}, 1.0, Repeat::kRound};
-  expect_pose(pose_at(motion, 7.0 + 2.5), 1.5, 2.0, 0.0);
+  test::expect_near(pose_at(motion, 7.0 + 2.5), {1.5, 2.0, 0.0}, 1e-12);
   for (const double seconds : {0.0, 1.5, 4.0, 8.0, 11.5}) {
     const Pose2 first = pose_at(motion, seconds);
-    expect_pose(pose_at(motion, seconds + 36.0), first.x(), first.y(), first.theta());
+    test::expect_near(pose_at(motion, seconds + 36.0), {first.x(), first.y(), first.theta()},
+                      1e-12);
   }
 }
 
@@ -75,17 +71,20 @@ TEST(BodyMotion, GoesBackTheWayItCame) {
   const double once = 3.0 + 0.5 * kPi;
   for (const double seconds : {0.0, 1.0, 2.5, 4.0, once}) {
     const Pose2 there = pose_at(errand(Repeat::kOnce), seconds);
-    expect_pose(pose_at(motion, seconds), there.x(), there.y(), there.theta());
-    expect_pose(pose_at(motion, 2.0 * once - seconds), there.x(), there.y(), there.theta());
-    expect_pose(pose_at(motion, 20.0 * once + seconds), there.x(), there.y(), there.theta());
+    test::expect_near(pose_at(motion, seconds), {there.x(), there.y(), there.theta()}, 1e-12);
+    test::expect_near(pose_at(motion, 2.0 * once - seconds), {there.x(), there.y(), there.theta()},
+                      1e-12);
+    test::expect_near(pose_at(motion, 20.0 * once + seconds), {there.x(), there.y(), there.theta()},
+                      1e-12);
   }
 }
 
 TEST(BodyMotion, StandsWhereItHasOnePlaceOnly) {
   for (const Repeat repeat : {Repeat::kOnce, Repeat::kRound, Repeat::kBackAndForth}) {
-    expect_pose(pose_at({{{1.0, 2.0, 0.3}}, 1.0, repeat}, 5.0), 1.0, 2.0, 0.3);
-    expect_pose(pose_at({{{1.0, 2.0, 0.3}, {1.0, 2.0, 0.3}}, 1.0, repeat}, 5.0), 1.0, 2.0, 0.3);
-    expect_pose(pose_at({{}, 1.0, repeat}, 5.0), 0.0, 0.0, 0.0);
+    test::expect_near(pose_at({{{1.0, 2.0, 0.3}}, 1.0, repeat}, 5.0), {1.0, 2.0, 0.3}, 1e-12);
+    test::expect_near(pose_at({{{1.0, 2.0, 0.3}, {1.0, 2.0, 0.3}}, 1.0, repeat}, 5.0),
+                      {1.0, 2.0, 0.3}, 1e-12);
+    test::expect_near(pose_at({{}, 1.0, repeat}, 5.0), {0.0, 0.0, 0.0}, 1e-12);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "support/point_sets.hpp"
+#include "support/poses.hpp"
 
 namespace falko_slam {
 namespace test {
@@ -27,7 +28,7 @@ struct TwoViews {
 inline TwoViews two_views(const Pose2& target_T_source, std::size_t outliers,
                           std::mt19937_64& random, double half_width = 6.0) {
   constexpr std::size_t kCommon = 12;
-  const MatchPoints points = random_points(kCommon, half_width, random);
+  const MatchPoints points = random_match_points(kCommon, half_width, random);
   TwoViews views{points, points, target_T_source, kCommon};
   add_points(views.source, outliers, half_width, random);
   add_points(views.target, outliers, half_width, random);
@@ -38,12 +39,6 @@ inline TwoViews two_views(const Pose2& target_T_source, std::size_t outliers,
 
 inline MatchResult match(const Matcher& matcher, const TwoViews& views) {
   return matcher(views.source, views.target, views.target_T_source);
-}
-
-inline void expect_near(const Pose2& a, const Pose2& b, double tolerance) {
-  EXPECT_NEAR(a.x(), b.x(), tolerance);
-  EXPECT_NEAR(a.y(), b.y(), tolerance);
-  EXPECT_NEAR(angle_between(a.theta(), b.theta()), 0.0, tolerance);
 }
 
 inline void expect_finite(const MatchResult& result) {
@@ -152,8 +147,8 @@ inline std::size_t mirror_symmetry(const MatchPoints& points) {
 inline void expect_no_mirror_image_matches(const Matcher& matcher) {
   auto random = seeded_random();
   for (int run = 0; run < 50; ++run) {
-    MatchPoints points = random_points(8, 8.0, random);
-    while (mirror_symmetry(points) > 3) points = random_points(8, 8.0, random);
+    MatchPoints points = random_match_points(8, 8.0, random);
+    while (mirror_symmetry(points) > 3) points = random_match_points(8, 8.0, random);
     if (run % 2 == 0) points = without_orientation(points);
     const Pose2 pose(0.3, 0.1, uniform(random, -kPi, kPi));
     const MatchResult result = matcher(points, moved(pose, mirrored(points)), pose);
@@ -163,7 +158,7 @@ inline void expect_no_mirror_image_matches(const Matcher& matcher) {
 
 inline void expect_poor_inputs_are_survived(const Matcher& matcher) {
   auto random = seeded_random();
-  const MatchPoints good = random_points(6, 5.0, random);
+  const MatchPoints good = random_match_points(6, 5.0, random);
   MatchPoints broken = good;
   broken[1].position.x() = std::numeric_limits<double>::quiet_NaN();
   broken[2].position.y() = std::numeric_limits<double>::infinity();

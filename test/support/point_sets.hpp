@@ -45,7 +45,8 @@ inline void add_points(MatchPoints& points, std::size_t count, double half_width
   }
 }
 
-inline MatchPoints random_points(std::size_t count, double half_width, std::mt19937_64& random) {
+inline MatchPoints random_match_points(std::size_t count, double half_width,
+                                       std::mt19937_64& random) {
   MatchPoints points;
   add_points(points, count, half_width, random);
   return points;

@@ -24,6 +24,11 @@ inline World world_with_wall_at(double x, std::size_t surface = kMatt) {
   return world;
 }
 
+/// Of a beam, from the laser [rad].
+inline double bearing(const LaserModel& laser, std::size_t beam) {
+  return laser.angle_min + static_cast<double>(beam) * laser.angle_increment;
+}
+
 /// A NAV350 of infinitely thin beams, without noise and without drop-outs.
 inline LaserModel ideal_laser() {
   LaserModel laser;

@@ -13,6 +13,9 @@
 namespace falko_slam {
 namespace test {
 
+/// A laser that is nowhere special in a room about the origin.
+inline const Pose2 kInTheRoom(-0.4, 0.1, 0.2);
+
 /// What a closed 360 degree laser of `beams` beams sees of the scene.
 inline LaserScan closed_scan(const Scene& scene, const Pose2& world_T_laser, std::size_t beams,
                              double noise, std::mt19937_64& random) {

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/poses.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {
@@ -33,11 +34,6 @@ Drive random_drive(std::mt19937_64& random) {
 // Of the components, the heading the shorter way.
 Eigen::Vector3d difference(const Pose2& b, const Pose2& a) {
   return {b.x() - a.x(), b.y() - a.y(), angle_between(a.theta(), b.theta())};
-}
-
-void expect_near(const Pose2& pose, const Pose2& expected, double tolerance) {
-  EXPECT_LE(difference(pose, expected).cwiseAbs().maxCoeff(), tolerance)
-      << pose << " instead of " << expected;
 }
 
 // The velocities (2.2), (2.3) summed up in steps of the midpoint rule, the steering changing
@@ -105,7 +101,7 @@ TEST(Tricycle, DrivesTheArcsOfTheThesis) {
         (std::sin(steering) * std::cos(offset) + std::cos(steering) * std::sin(offset));
     const double radius = params.wheelbase / std::tan(steering + offset);
     const Pose2 expected(radius * std::sin(turn), radius * (1.0 - std::cos(turn)), turn);
-    expect_near(drive_arc(params, ticks, steering), expected, 1e-9);
+    test::expect_near(drive_arc(params, ticks, steering), expected, 1e-9);
   }
 }
 
@@ -113,8 +109,8 @@ TEST(Tricycle, IsWhereItsVelocitiesLeadTo) {
   auto random = test::seeded_random();
   for (int i = 0; i < 20; ++i) {
     const Drive drive = random_drive(random);
-    expect_near(drive_arc(drive.params, drive.ticks, drive.steering),
-                integrate(drive, drive.steering, 20000), 1e-6);
+    test::expect_near(drive_arc(drive.params, drive.ticks, drive.steering),
+                      integrate(drive, drive.steering, 20000), 1e-6);
   }
 }
 
@@ -127,8 +123,8 @@ TEST(Tricycle, ArcsBecomeStraightLinesSmoothly) {
       const Pose2 expected(way * (1.0 - turn * turn / 6.0 - steering * steering / 2.0),
                            0.5 * way * turn, turn);
       const Pose2 arc = drive_arc(params, 4000.0, steering);
-      expect_near(arc, expected, 1e-9);
-      if (size < 1e-8) expect_near(arc, expected, 1e-16);
+      test::expect_near(arc, expected, 1e-9);
+      if (size < 1e-8) test::expect_near(arc, expected, 1e-16);
     }
   }
 }
@@ -140,7 +136,7 @@ TEST(Tricycle, ArcsAreMadeOfShorterOnes) {
     const double share = uniform(random, 0.0, 1.0);
     const Pose2 parts = drive_arc(params, share * ticks, steering) *
                         drive_arc(params, (1.0 - share) * ticks, steering);
-    expect_near(parts, drive_arc(params, ticks, steering), 1e-11);
+    test::expect_near(parts, drive_arc(params, ticks, steering), 1e-11);
   }
 }
 
@@ -150,7 +146,7 @@ TEST(Tricycle, DrivesBackTheWayItCameIfTheOffsetsAreEqual) {
     auto [params, ticks, steering] = random_drive(random);
     params.steer_offset_backward = params.steer_offset_forward;
     const Pose2 there = drive_arc(params, ticks, steering);
-    expect_near(there * drive_arc(params, -ticks, steering), {}, 1e-11);
+    test::expect_near(there * drive_arc(params, -ticks, steering), {}, 1e-11);
   }
 }
 
@@ -163,8 +159,10 @@ TEST(Tricycle, EachDirectionHasItsOffset) {
   TricycleParams backward = params;
   backward.steer_offset_forward = params.steer_offset_backward;
   for (const double steering : {-0.7, -0.03, 0.0, 0.05, 0.7}) {
-    expect_near(drive_arc(params, 3000.0, steering), drive_arc(forward, 3000.0, steering), 0.0);
-    expect_near(drive_arc(params, -3000.0, steering), drive_arc(backward, -3000.0, steering), 0.0);
+    test::expect_near(drive_arc(params, 3000.0, steering), drive_arc(forward, 3000.0, steering),
+                      0.0);
+    test::expect_near(drive_arc(params, -3000.0, steering), drive_arc(backward, -3000.0, steering),
+                      0.0);
   }
   EXPECT_EQ(drive_arc(params, 3000.0, -0.03).theta(), 0.0);
   EXPECT_EQ(drive_arc(params, -3000.0, 0.05).theta(), 0.0);
@@ -173,7 +171,7 @@ TEST(Tricycle, EachDirectionHasItsOffset) {
 TEST(Tricycle, AWheelAcrossTurnsOnTheSpot) {
   const TricycleParams params;
   const Pose2 turned = drive_arc(params, 2000.0, kPi / 2.0);
-  expect_near(turned, {0.0, 0.0, 2000.0 * params.driving_scale / params.wheelbase}, 1e-15);
+  test::expect_near(turned, {0.0, 0.0, 2000.0 * params.driving_scale / params.wheelbase}, 1e-15);
 }
 
 TEST(Tricycle, JacobiansAreThoseOfTheArc) {
@@ -227,7 +225,8 @@ TEST(TricycleRungeKutta, IsTheFormulaOfTheThesis) {
     const Pose2 expected(q.x() + L * S_L * std::cos(heading) * std::cos(alpha_2),
                          q.y() + L * S_L * std::sin(heading) * std::cos(alpha_2),
                          q.theta() + S_L * std::sin(alpha_2));
-    expect_near(q * drive_rk2(drive.params, drive.ticks, {drive.steering, after}), expected, 1e-12);
+    test::expect_near(q * drive_rk2(drive.params, drive.ticks, {drive.steering, after}), expected,
+                      1e-12);
   }
 }
 
@@ -256,8 +255,8 @@ TEST(TricycleRungeKutta, TakesTheOffsetOfTheDirection) {
   params.steer_offset_backward = -0.05;
   for (const double ticks : {2000.0, -2000.0}) {
     const double offset = ticks > 0.0 ? 0.03 : -0.05;
-    expect_near(drive_rk2(params, ticks, {0.1, 0.2}),
-                drive_rk2({}, ticks, {0.1 + offset, 0.2 + offset}), 1e-15);
+    test::expect_near(drive_rk2(params, ticks, {0.1, 0.2}),
+                      drive_rk2({}, ticks, {0.1 + offset, 0.2 + offset}), 1e-15);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "falko_slam/geometry/angles.hpp"
+#include "support/poses.hpp"
 #include "support/seeds.hpp"
 
 namespace falko_slam {
@@ -35,18 +36,12 @@ double measured(double steering) {
   return steering_of(encoders(), steer_ticks_of(encoders(), steering));
 }
 
-void expect_near(const Pose2& pose, const Pose2& expected, double tolerance) {
-  EXPECT_NEAR(pose.x(), expected.x(), tolerance);
-  EXPECT_NEAR(pose.y(), expected.y(), tolerance);
-  EXPECT_NEAR(angle_between(pose.theta(), expected.theta()), 0.0, tolerance);
-}
-
 TEST(TricycleOdometry, BeginsWhereItIsTold) {
   const Pose2 start(1.0, 2.0, 0.5);
   TricycleOdometry odometry(vehicle(), encoders(), start);
   EXPECT_FALSE(odometry.reading());
   EXPECT_EQ(odometry.add(reading_of(0, 123456, 0.3)).verdict, OdometryVerdict::kFirst);
-  expect_near(odometry.odom_T_base(), start, 0.0);
+  test::expect_near(odometry.odom_T_base(), start, 0.0);
   EXPECT_EQ(odometry.velocity().forward, 0.0);
   EXPECT_EQ(odometry.velocity().turn_rate, 0.0);
   EXPECT_TRUE(odometry.reading());
@@ -64,15 +59,16 @@ TEST(TricycleOdometry, AddsArcsOverTheEndOfTheCounter) {
     EXPECT_EQ(step.time, std::chrono::milliseconds(20));
     expected = expected * drive_arc(vehicle(), 100.0, measured(0.3));
   }
-  expect_near(odometry.odom_T_base(), expected, 1e-12);
-  expect_near(odometry.odom_T_base(), start * drive_arc(vehicle(), 2000.0, measured(0.3)), 1e-12);
+  test::expect_near(odometry.odom_T_base(), expected, 1e-12);
+  test::expect_near(odometry.odom_T_base(), start * drive_arc(vehicle(), 2000.0, measured(0.3)),
+                    1e-12);
 }
 
 TEST(TricycleOdometry, DrivesBackwardWithTheOffsetOfThatDirection) {
   TricycleOdometry odometry(vehicle(), encoders());
   odometry.add(reading_of(0, 1000, -0.2));
   odometry.add(reading_of(500, -1000, -0.2));
-  expect_near(odometry.odom_T_base(), drive_arc(vehicle(), -2000.0, measured(-0.2)), 1e-12);
+  test::expect_near(odometry.odom_T_base(), drive_arc(vehicle(), -2000.0, measured(-0.2)), 1e-12);
   EXPECT_LT(odometry.velocity().forward, 0.0);
 }
 
@@ -81,7 +77,7 @@ TEST(TricycleOdometry, SteersAnArcByTheMeanOfItsEnds) {
   odometry.add(reading_of(0, 0, 0.1));
   odometry.add(reading_of(20, 400, 0.3));
   const double mean = 0.5 * (measured(0.1) + measured(0.3));
-  expect_near(odometry.odom_T_base(), drive_arc(vehicle(), 400.0, mean), 1e-12);
+  test::expect_near(odometry.odom_T_base(), drive_arc(vehicle(), 400.0, mean), 1e-12);
 }
 
 // With a wheel that looks back the mean of the two numbers would be a wheel that looks ahead.
@@ -91,7 +87,7 @@ TEST(TricycleOdometry, MeansTheShorterWayRoundTheEncoder) {
   odometry.add(reading_of(20, 400, -kPi + 0.05));
   const double mean =
       measured(kPi - 0.05) + 0.5 * (angle_between(measured(kPi - 0.05), measured(-kPi + 0.05)));
-  expect_near(odometry.odom_T_base(), drive_arc(vehicle(), 400.0, mean), 1e-12);
+  test::expect_near(odometry.odom_T_base(), drive_arc(vehicle(), 400.0, mean), 1e-12);
   EXPECT_LT(odometry.odom_T_base().x(), -0.09);
 }
 
@@ -120,12 +116,12 @@ TEST(TricycleOdometry, LeavesOutWhatIsNotLaterAndLosesNothing) {
   EXPECT_EQ(repeated.verdict, OdometryVerdict::kNotLater);
   EXPECT_EQ(repeated.ticks, 100);
   EXPECT_EQ(disturbed.add(reading_of(50, 250, 0.2)).verdict, OdometryVerdict::kNotLater);
-  expect_near(disturbed.odom_T_base(), calm.odom_T_base(), 0.0);
+  test::expect_near(disturbed.odom_T_base(), calm.odom_T_base(), 0.0);
   EXPECT_EQ(disturbed.velocity().forward, calm.velocity().forward);
 
   disturbed.add(reading_of(200, 1000, 0.2));
   calm.add(reading_of(200, 1000, 0.2));
-  expect_near(disturbed.odom_T_base(), calm.odom_T_base(), 0.0);
+  test::expect_near(disturbed.odom_T_base(), calm.odom_T_base(), 0.0);
 }
 
 TEST(TricycleOdometry, GoesOnFromItsPoseAfterARestart) {
@@ -136,9 +132,10 @@ TEST(TricycleOdometry, GoesOnFromItsPoseAfterARestart) {
   odometry.restart();
   EXPECT_EQ(odometry.velocity().forward, 0.0);
   EXPECT_EQ(odometry.add(reading_of(0, 9000, 0.2)).verdict, OdometryVerdict::kFirst);
-  expect_near(odometry.odom_T_base(), before, 0.0);
+  test::expect_near(odometry.odom_T_base(), before, 0.0);
   odometry.add(reading_of(100, 9500, 0.2));
-  expect_near(odometry.odom_T_base(), before * drive_arc(vehicle(), 500.0, measured(0.2)), 1e-12);
+  test::expect_near(odometry.odom_T_base(), before * drive_arc(vehicle(), 500.0, measured(0.2)),
+                    1e-12);
 }
 
 TEST(TricycleOdometry, TellsJumpsFromMotion) {
@@ -151,10 +148,11 @@ TEST(TricycleOdometry, TellsJumpsFromMotion) {
   const OdometryStep jump = odometry.add(reading_of(200, -1000000, 0.2));
   EXPECT_EQ(jump.verdict, OdometryVerdict::kJump);
   EXPECT_EQ(jump.ticks, -1000799);
-  expect_near(odometry.odom_T_base(), before, 0.0);
+  test::expect_near(odometry.odom_T_base(), before, 0.0);
   EXPECT_EQ(odometry.velocity().forward, 0.0);
   EXPECT_EQ(odometry.add(reading_of(300, -999201, 0.2)).verdict, OdometryVerdict::kIntegrated);
-  expect_near(odometry.odom_T_base(), drive_arc(vehicle(), 2.0 * 799.0, measured(0.2)), 1e-12);
+  test::expect_near(odometry.odom_T_base(), drive_arc(vehicle(), 2.0 * 799.0, measured(0.2)),
+                    1e-12);
   EXPECT_EQ(odometry.add(reading_of(400, -1000002, 0.2)).verdict, OdometryVerdict::kJump);
 }
 
@@ -176,7 +174,7 @@ TEST(TricycleOdometry, FollowsADriveWithChangingSteering) {
     if (i % 100 == 0) odometry.add(reading_of(i, i, steering));
     if (i < kSteps) truth = truth * drive_arc(vehicle(), kTicks, steering);
   }
-  expect_near(odometry.odom_T_base(), truth, 0.005);
+  test::expect_near(odometry.odom_T_base(), truth, 0.005);
 }
 
 TEST(TricycleOdometry, RefusesParametersByName) {

@@ -12,6 +12,10 @@ namespace falko_slam {
 /// The whole text as a finite number, without blanks around it.
 std::optional<double> number_of(const std::string& text);
 
+/// The number at the beginning of a text, after blanks; infinite and NaN are numbers, too. `at`
+/// moves behind it, or stays where there is none. For the long lines of logs.
+std::optional<double> take_number(const char*& at);
+
 /// The fewest digits that give the same number again.
 std::string exact_text(double value);
 

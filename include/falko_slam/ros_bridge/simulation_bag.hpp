@@ -13,7 +13,7 @@ namespace falko_slam {
 
 struct SimulationBagParams {
   SimulationFrames frames;
-  Time start{std::chrono::seconds(1)};  ///< stamp of the first scan
+  Time start = kSimulationStart;  ///< stamp of the first scan
   std::uint64_t seed = 1;
   double duration = 0.0;    ///< [s]; 0: until the drive is over
   std::string drive_bag;    ///< who leads the vehicle, read_drive(); empty: the scenario does

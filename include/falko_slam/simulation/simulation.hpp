@@ -13,6 +13,9 @@
 
 namespace falko_slam {
 
+/// Where the time of a drive begins that nobody gives another one: 0 is no time in ROS.
+inline constexpr Time kSimulationStart{std::chrono::seconds(1)};
+
 /// What a control period brought.
 struct SimulationStep {
   EncoderReading encoders;  ///< at its end
