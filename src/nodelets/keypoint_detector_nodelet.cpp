@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "keypoint_detector_nodelet.hpp"
 
-#include <pcl_ros/point_cloud.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "falko_slam/features/feature_extractor_fields.hpp"
@@ -20,7 +19,7 @@ void KeypointDetectorNodelet::onInit() {
   ros::NodeHandle& node = getNodeHandle();
   features_ = node.advertise<FeatureArray>(topics::kFeatures, kQueue);
   markers_ = node.advertise<visualization_msgs::MarkerArray>(topics::kFeatureMarkers, kQueue);
-  cloud_ = node.advertise<pcl::PointCloud<pcl::PointXYZI>>(topics::kKeypointCloud, kQueue);
+  cloud_ = node.advertise<sensor_msgs::PointCloud2>(topics::kKeypointCloud, kQueue);
 
   diagnostics_ = std::make_unique<ScanDiagnostics>(
       TopicWatch(heard_topic<sensor_msgs::LaserScan>(node.resolveName(topics::kScan)),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/ros_bridge/feature_conversion.hpp"
 
-#include <pcl_conversions/pcl_conversions.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <cmath>
 
@@ -91,16 +91,22 @@ visualization_msgs::MarkerArray to_markers(const FeatureArray& features) {
   return markers;
 }
 
-pcl::PointCloud<pcl::PointXYZI> to_cloud(const FeatureArray& features) {
-  pcl::PointCloud<pcl::PointXYZI> cloud;
-  pcl_conversions::toPCL(features.header, cloud.header);
+sensor_msgs::PointCloud2 to_cloud(const FeatureArray& features) {
+  constexpr auto kFloat = sensor_msgs::PointField::FLOAT32;
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header = features.header;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2Fields(4, "x", 1, kFloat, "y", 1, kFloat, "z", 1, kFloat, "intensity", 1,
+                                kFloat);
+  modifier.resize(features.features.size());
+  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z"),
+      intensity(cloud, "intensity");
   for (const auto& feature : features.features) {
-    pcl::PointXYZI point;
-    point.x = static_cast<float>(feature.position.x);
-    point.y = static_cast<float>(feature.position.y);
-    point.z = static_cast<float>(feature.position.z);
-    point.intensity = static_cast<float>(feature.roughness);
-    cloud.push_back(point);
+    *x = static_cast<float>(feature.position.x);
+    *y = static_cast<float>(feature.position.y);
+    *z = static_cast<float>(feature.position.z);
+    *intensity = static_cast<float>(feature.roughness);
+    ++x, ++y, ++z, ++intensity;
   }
   return cloud;
 }

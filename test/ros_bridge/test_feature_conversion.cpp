@@ -3,7 +3,7 @@
 #include "falko_slam/ros_bridge/feature_conversion.hpp"
 
 #include <gtest/gtest.h>
-#include <pcl_conversions/pcl_conversions.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 
 #include <cmath>
 
@@ -142,16 +142,20 @@ TEST_P(FeatureConversion, MarkersShowPositionsAndOrientations) {
 }
 
 TEST_P(FeatureConversion, TheCloudHasRoughnessAsIntensity) {
-  const auto cloud = to_cloud(features_);
-  EXPECT_EQ(pcl_conversions::fromPCL(cloud.header).frame_id, "laser");
-  EXPECT_EQ(pcl_conversions::fromPCL(cloud.header).stamp, message_.header.stamp);
-  ASSERT_EQ(cloud.size(), features_.features.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Feature& feature = features_.features[i];
-    EXPECT_EQ(cloud[i].x, static_cast<float>(feature.position.x));
-    EXPECT_EQ(cloud[i].y, static_cast<float>(feature.position.y));
-    EXPECT_EQ(cloud[i].z, 0.0F);
-    EXPECT_EQ(cloud[i].intensity, static_cast<float>(feature.roughness));
+  const sensor_msgs::PointCloud2 cloud = to_cloud(features_);
+  EXPECT_EQ(cloud.header.frame_id, "laser");
+  EXPECT_EQ(cloud.header.stamp, message_.header.stamp);
+  ASSERT_EQ(cloud.width, features_.features.size());
+  EXPECT_EQ(cloud.height, 1U);
+  EXPECT_EQ(cloud.data.size(), cloud.row_step);
+  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z"),
+      intensity(cloud, "intensity");
+  for (const Feature& feature : features_.features) {
+    EXPECT_EQ(*x, static_cast<float>(feature.position.x));
+    EXPECT_EQ(*y, static_cast<float>(feature.position.y));
+    EXPECT_EQ(*z, 0.0F);
+    EXPECT_EQ(*intensity, static_cast<float>(feature.roughness));
+    ++x, ++y, ++z, ++intensity;
   }
 }
 

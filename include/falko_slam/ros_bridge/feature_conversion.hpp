@@ -3,8 +3,7 @@
 #pragma once
 
 #include <falko_slam/FeatureArray.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -22,7 +21,7 @@ FeatureArray to_message(const FeatureExtractor& extractor, const std_msgs::Heade
 /// ("orientations"). They vanish after a second without a successor.
 visualization_msgs::MarkerArray to_markers(const FeatureArray& features);
 
-/// The keypoints with their roughness as intensity.
-pcl::PointCloud<pcl::PointXYZI> to_cloud(const FeatureArray& features);
+/// The keypoints as x, y, z [m] and intensity, which is their roughness: a pcl::PointXYZI each.
+sensor_msgs::PointCloud2 to_cloud(const FeatureArray& features);
 
 }  // namespace falko_slam
