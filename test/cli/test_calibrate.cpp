@@ -4,6 +4,7 @@
 #include <std_msgs/String.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "cli/calibration_area.hpp"
 #include "falko_slam/calibration/calibration_file.hpp"

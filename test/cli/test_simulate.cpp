@@ -5,9 +5,11 @@
 #include <falko_slam/TricycleEncoders.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
+
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/String.h>
+#include <fstream>
 
 #include "falko_slam/geometry/angles.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "support/simulated_graphs.hpp"
 #include "support/temporary_folder.hpp"
 
