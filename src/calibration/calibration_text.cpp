@@ -4,22 +4,10 @@
 
 #include "calibration_fields.hpp"
 #include "falko_slam/common/number_text.hpp"
+#include "falko_slam/common/yaml_value.hpp"
 
 namespace falko_slam {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (static_cast<unsigned char>(letter) < ' ') {
-      result += ' ';
-      continue;
-    }
-    if (letter == '"' || letter == '\\') result += '\\';
-    result += letter;
-  }
-  return result + "\"";
-}
 
 template <class Numbers>
 std::string list_text(const Numbers& numbers) {

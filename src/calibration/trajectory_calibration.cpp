@@ -18,7 +18,7 @@ namespace falko_slam {
 namespace {
 
 constexpr double kAsGoodAsNone = 1e-9;  // eigenvalue of an information with ones on its diagonal
-constexpr double kTakesPart = 0.1;      // component of a unit vector
+constexpr double kIsMoved = 0.1;        // component of a unit vector
 
 void validate(const std::vector<DriveRecord>& records) {
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -57,7 +57,7 @@ std::vector<CalibrationParameter> undetermined(const StretchSet& set, const Free
   std::vector<CalibrationParameter> parameters;
   for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    if (moved[row] > kTakesPart * scale[row]) {
+    if (moved[row] > kIsMoved * scale[row]) {
       parameters.push_back(static_cast<CalibrationParameter>(i));
     }
   }

@@ -83,11 +83,6 @@ Eigen::Matrix3d honest(const Equations& sum) {
   return lower * vectors * kept.asDiagonal() * vectors.transpose() * lower.transpose();
 }
 
-Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
-  const Eigen::Vector2d way = to.translation() - from.translation();
-  return {way.x(), way.y(), wrap_angle(to.theta() - from.theta())};
-}
-
 class Fit {
  public:
   Fit(const WallScan& target, const WallScan& source, const Pose2& initial,

@@ -30,39 +30,13 @@ void validate(const WallScanParams& params) {
 }
 
 WallScan::WallScan(const LaserScan& scan, double noise, const WallScanParams& params)
-    : size_(scan.size()),
-      angle_min_(scan.angle_min),
-      angle_increment_(scan.angle_increment),
-      closed_(scan.closed),
-      points_(size_, Eigen::Vector2d::Zero()),
-      ranges_(size_, 0.0),
-      wall_of_(size_, kNone) {
-  if (size_ == 0 || !(angle_increment_ > 0.0)) return;
-  const auto usable = [&](std::size_t beam) {
-    return scan.valid(beam) && scan.ranges[beam] <= params.max_range;
-  };
-  const auto joined = [&](std::size_t beam, std::size_t next) {
-    if (!usable(beam) || !usable(next)) return false;
-    return on_one_surface((scan.point(beam) - scan.point(next)).norm(),
-                          std::min(scan.ranges[beam], scan.ranges[next]), angle_increment_,
-                          params.surface);
-  };
-  if (closed_) {
-    while (break_ < size_ && joined((break_ + size_ - 1) % size_, break_)) ++break_;
-    break_ %= size_;
-  }
-  for (std::size_t k = 0; k < size_; ++k) {
-    const std::size_t beam = (break_ + k) % size_;
-    if (!usable(beam)) continue;
-    points_[k] = scan.point(beam);
-    ranges_[k] = scan.ranges[beam];
-  }
-  std::size_t first = 0;
-  for (std::size_t k = 1; k <= size_; ++k) {
-    if (k < size_ && joined((break_ + k - 1) % size_, (break_ + k) % size_)) continue;
-    if (ranges_[first] > 0.0) split(first, k - 1, std::max(noise, kLeastNoise), params);
-    first = k;
-  }
+    : angle_min_(scan.angle_min), angle_increment_(scan.angle_increment), closed_(scan.closed) {
+  if (scan.size() == 0 || !(angle_increment_ > 0.0)) return;
+  beams_ = UnrolledScan(scan, params.max_range, params.surface);
+  wall_of_.assign(scan.size(), kNone);
+  beams_.for_each_surface([&](std::size_t first, std::size_t last) {
+    split(first, last, std::max(noise, kLeastNoise), params);
+  });
 }
 
 void WallScan::split(std::size_t first, std::size_t last, double noise,
@@ -70,15 +44,15 @@ void WallScan::split(std::size_t first, std::size_t last, double noise,
   constexpr double kBeyondNoise = 4.5;
   if (last + 1 - first < params.min_beams + 2 * params.end_beams) return;
   LineMoments moments;
-  for (std::size_t k = first; k <= last; ++k) moments.add(points_[k].x(), points_[k].y());
+  for (std::size_t k = first; k <= last; ++k) moments.add(beams_.point(k).x(), beams_.point(k).y());
   const Line2 line = moments.fit().line;
-  const Eigen::Vector2d chord = points_[last] - points_[first];
+  const Eigen::Vector2d chord = beams_.point(last) - beams_.point(first);
   const Eigen::Vector2d across = Eigen::Vector2d(-chord.y(), chord.x()).stableNormalized();
   double farthest = 0.0, worst = 0.0;
   std::size_t corner = first;
   for (std::size_t k = first; k <= last; ++k) {
-    worst = std::max(worst, std::abs(line.signed_distance(points_[k])));
-    const double distance = std::abs(across.dot(points_[k] - points_[first]));
+    worst = std::max(worst, std::abs(line.signed_distance(beams_.point(k))));
+    const double distance = std::abs(across.dot(beams_.point(k) - beams_.point(first)));
     if (distance <= farthest || k == first || k == last) continue;
     farthest = distance;
     corner = k;
@@ -94,7 +68,7 @@ void WallScan::split(std::size_t first, std::size_t last, double noise,
 void WallScan::add_wall(std::size_t first, std::size_t last, const WallScanParams& params) {
   const auto beams = static_cast<double>(last + 1 - first);
   LineMoments moments;
-  for (std::size_t k = first; k <= last; ++k) moments.add(points_[k].x(), points_[k].y());
+  for (std::size_t k = first; k <= last; ++k) moments.add(beams_.point(k).x(), beams_.point(k).y());
   const LineMoments::Fit fit = moments.fit();
   StraightWall wall{first, last, fit.line.normal, 0.0, 0.0};
   if (wall.normal.dot(moments.mean()) > 0.0) wall.normal = -wall.normal;
@@ -105,7 +79,7 @@ void WallScan::add_wall(std::size_t first, std::size_t last, const WallScanParam
   walls_.push_back(wall);
   std::fill(wall_of_.begin() + static_cast<std::ptrdiff_t>(first),
             wall_of_.begin() + static_cast<std::ptrdiff_t>(last) + 1, number);
-  const double length = (points_[last] - points_[first]).norm();
+  const double length = (beams_.point(last) - beams_.point(first)).norm();
   constexpr double kLeastBeams = 3.0;
   const double count =
       std::clamp(std::ceil(length / params.piece_length), 1.0, std::floor(beams / kLeastBeams));
@@ -122,7 +96,7 @@ void WallScan::add_wall(std::size_t first, std::size_t last, const WallScanParam
 
 WallPiece WallScan::piece(std::size_t wall, std::size_t first, std::size_t last) const {
   WallPiece found;
-  for (std::size_t k = first; k <= last; ++k) found.middle += points_[k];
+  for (std::size_t k = first; k <= last; ++k) found.middle += beams_.point(k);
   const auto beams = static_cast<double>(last + 1 - first);
   found.middle /= beams;
   found.variance = walls_[wall].residual_variance / beams;
@@ -133,16 +107,16 @@ WallPiece WallScan::piece(std::size_t wall, std::size_t first, std::size_t last)
 }
 
 std::optional<std::size_t> WallScan::beam_at(double bearing) const {
-  if (size_ == 0 || !(angle_increment_ > 0.0)) return std::nullopt;
+  if (beams_.size() == 0) return std::nullopt;
   const double turn = kTwoPi / angle_increment_;
   double beam = (bearing - angle_min_) / angle_increment_ + 0.5;
   beam -= turn * std::floor(beam / turn);
   auto nearest = static_cast<std::size_t>(beam);
-  if (nearest >= size_) {
+  if (nearest >= beams_.size()) {
     if (!closed_) return std::nullopt;
     nearest = 0;
   }
-  return (nearest + size_ - break_) % size_;
+  return beams_.place_of(nearest);
 }
 
 std::optional<std::size_t> WallScan::wall_at(std::size_t beam) const {

@@ -28,7 +28,7 @@ struct DetectOptions {
 };
 
 // What a run has seen so far.
-struct Tally {
+struct KeypointTally {
   std::size_t scans = 0;
   std::size_t unusable = 0;
   std::size_t keypoints = 0;
@@ -52,7 +52,7 @@ nlohmann::json json_of(const FeatureExtractor& extractor, const RawScan& raw) {
   return {{"stamp", to_seconds(raw.stamp.time_since_epoch())}, {"keypoints", keypoints}};
 }
 
-void detect_in(FeatureExtractor& extractor, const RawScan& raw, bool list, Tally& tally) {
+void detect_in(FeatureExtractor& extractor, const RawScan& raw, bool list, KeypointTally& tally) {
   const auto begin = std::chrono::steady_clock::now();
   const ScanReport report = extractor.extract(raw);
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
@@ -64,7 +64,7 @@ void detect_in(FeatureExtractor& extractor, const RawScan& raw, bool list, Tally
   if (list) tally.list.push_back(json_of(extractor, raw));
 }
 
-void print(const Tally& tally) {
+void print(const KeypointTally& tally) {
   ScanReport all;
   all.status_count = tally.beams;
   for (const std::size_t count : tally.beams) all.beam_count += count;
@@ -84,7 +84,7 @@ void print(const Tally& tally) {
 
 void detect(const DetectOptions& options) {
   FeatureExtractor extractor(options.params);
-  Tally tally;
+  KeypointTally tally;
   std::string read;
   {
     Progress progress("scans");

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
+
 #include "falko_slam/evaluation/thesis_calibration.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
@@ -15,10 +17,6 @@ namespace cli {
 namespace {
 
 using PrecisionRuns = std::vector<PrecisionRun>;
-
-VehicleCalibration truth_of(const PrecisionRun& run) {
-  return {run.vehicle.model.tricycle, 1.0, run.vehicle.model.base_T_laser};
-}
 
 void print_parameters(const char* what, const VehicleCalibration& calibration) {
   std::printf("  %-12s %8.2f %8.2f   %.6f %8.2f %7.2f %8.2f\n", what,
@@ -35,7 +33,7 @@ void print_vehicles(const PrecisionRuns& runs) {
   for (const PrecisionRun& run : runs) {
     std::printf("%s, %s\n", run.vehicle.name.c_str(),
                 run.vehicle.calibrated ? name_of(run.verdict) : "not calibrated");
-    print_parameters("true", truth_of(run));
+    print_parameters("true", true_calibration(run.vehicle.model));
     print_parameters("taken for", run.believed);
   }
 }

@@ -17,7 +17,7 @@ namespace cli {
 namespace {
 
 // What a run has seen so far.
-struct Tally {
+struct ReflectorTally {
   std::size_t scans = 0;
   std::size_t unusable = 0;
   std::size_t faults = 0;
@@ -72,7 +72,7 @@ class ReflectorRun {
 
   const ReflectorDetector& detector() const { return detector_; }
 
-  Tally tally;
+  ReflectorTally tally;
 
  private:
   void add_json(Time stamp) {
@@ -99,7 +99,7 @@ void print_times(std::vector<double> times) {
               sum / static_cast<double>(times.size()), *middle);
 }
 
-void print(const Tally& tally, const ReflectorDetector& detector) {
+void print(const ReflectorTally& tally, const ReflectorDetector& detector) {
   const auto refused = [&](ReflectorRefusal why) {
     return tally.refused[static_cast<std::size_t>(why)];
   };
@@ -135,7 +135,7 @@ void detect_reflectors(const ReflectorRunOptions& options) {
       progress.step();
     });
   }
-  const Tally& tally = run.tally;
+  const ReflectorTally& tally = run.tally;
   if (tally.faults > 0 && tally.faults + tally.unusable == tally.scans) {
     throw std::runtime_error(options.recording + ": " + describe(tally.fault));
   }

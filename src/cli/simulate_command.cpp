@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "falko_slam/calibration/calibration_file.hpp"
 #include "falko_slam/evaluation/surveyed_map.hpp"
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
@@ -29,9 +30,9 @@ struct SimulateOptions {
 };
 
 // What a calibration without errors would find.
-StoredCalibration true_calibration(const VehicleModel& vehicle) {
+StoredCalibration without_errors(const VehicleModel& vehicle) {
   StoredCalibration stored;
-  stored.calibration = {vehicle.tricycle, 1.0, vehicle.base_T_laser};
+  stored.calibration = true_calibration(vehicle);
   const CalibrationVector values = vector_of(stored.calibration);
   for (std::size_t i = 0; i < kCalibrationParameters; ++i) {
     stored.intervals[i] = {values[static_cast<int>(i)], values[static_cast<int>(i)]};
@@ -47,7 +48,7 @@ void simulate(const SimulateOptions& options) {
     write_landmark_map(options.map, surveyed_map(scenario.world, options.survey_noise, random));
   }
   if (!options.calibration.empty()) {
-    write_calibration(options.calibration, true_calibration(scenario.vehicle));
+    write_calibration(options.calibration, without_errors(scenario.vehicle));
   }
   Progress progress("scans");
   const SimulationBagReport report =

@@ -8,17 +8,13 @@
 #include <boost/iostreams/filtering_stream.hpp>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <streambuf>
 
 namespace falko_slam {
 namespace {
-
-bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 // A kilobyte can unpack to a line that fills the memory. The scans of no scanner come near this.
 constexpr std::size_t kLongest = std::size_t{1} << 24U;
@@ -42,9 +38,10 @@ std::unique_ptr<std::istream> open_compressed(const std::string& path) {
   if (!probe || (probe.peek() == std::ifstream::traits_type::eof() && probe.bad())) {
     throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
   }
+  const std::string ending = std::filesystem::path(path).extension().string();
   auto in = std::make_unique<io::filtering_istream>();
-  if (ends_with(path, ".gz")) in->push(io::gzip_decompressor());
-  if (ends_with(path, ".bz2")) in->push(io::bzip2_decompressor());
+  if (ending == ".gz") in->push(io::gzip_decompressor());
+  if (ending == ".bz2") in->push(io::bzip2_decompressor());
   in->push(io::file_source(path, std::ios::binary));
   in->exceptions(std::ios::badbit);
   return in;

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t kTail = sizeof(std::uint32_t);
 
-void require(bool condition, const std::string& wrong) {
+}  // namespace
+
+void require_sound(bool condition, const std::string& wrong) {
   if (!condition) throw std::runtime_error(wrong);
 }
-
-}  // namespace
 
 ByteWriter begin_sealed(const FileKind& kind) {
   ByteWriter out;
@@ -31,20 +31,22 @@ std::string seal(ByteWriter&& out) {
 }
 
 ByteReader open_sealed(const std::string& bytes, const FileKind& kind) {
-  require(bytes.compare(0, kind.letters.size(), kind.letters) == 0, "no file of " + kind.content);
-  require(bytes.size() >= kind.letters.size() + sizeof(std::uint32_t) + kTail, "ends too early");
+  require_sound(bytes.compare(0, kind.letters.size(), kind.letters) == 0,
+                "no file of " + kind.content);
+  require_sound(bytes.size() >= kind.letters.size() + sizeof(std::uint32_t) + kTail,
+                "ends too early");
   const std::size_t tail = bytes.size() - kTail;
   ByteReader in(bytes, kind.letters.size(), tail);
   const std::uint32_t version = in.u32();
-  require(version == kind.version, "version " + std::to_string(version) + " is not known, only " +
-                                       std::to_string(kind.version));
-  require(ByteReader(bytes, tail, bytes.size()).u32() == checksum(bytes, tail),
-          "damaged or cut short: the checksum does not fit");
+  require_sound(version == kind.version, "version " + std::to_string(version) +
+                                             " is not known, only " + std::to_string(kind.version));
+  require_sound(ByteReader(bytes, tail, bytes.size()).u32() == checksum(bytes, tail),
+                "damaged or cut short: the checksum does not fit");
   return in;
 }
 
 void require_end(const ByteReader& in) {
-  require(in.left() == 0, "has " + std::to_string(in.left()) + " bytes too many");
+  require_sound(in.left() == 0, "has " + std::to_string(in.left()) + " bytes too many");
 }
 
 void write_sealed_file(const std::string& path, const std::string& bytes, const FileKind& kind) {

@@ -121,4 +121,13 @@ void YamlValue::fail(const std::string& what) const {
                            (path_.empty() ? "" : path_ + ": ") + what);
 }
 
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') result += '\\';
+    result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+  }
+  return result + "\"";
+}
+
 }  // namespace falko_slam

@@ -7,18 +7,15 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "falko_slam/common/random_sequence.hpp"
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
+
 namespace falko_slam {
 namespace {
 
-std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
-  std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
-                      static_cast<std::uint32_t>(number)};
-  return std::mt19937_64(words)();
-}
-
 VehicleCalibration truth_of(const MonteCarloParams& params) { return params.truth; }
 VehicleCalibration truth_of(const SimulatedCalibrationParams& params) {
-  return {params.vehicle.tricycle, 1.0, params.vehicle.base_T_laser};
+  return true_calibration(params.vehicle);
 }
 
 template <class Params, class Run>
@@ -35,7 +32,7 @@ CalibrationStudy study(const std::vector<std::size_t>& numbers, Params params,
   CalibrationStudy study{params.calibrator.model, truth_of(params), {}};
   for (const std::size_t number : numbers) {
     tell(number);
-    params.seed = seed_of(seed, number);
+    params.seed = random_sequence(seed, {static_cast<std::uint32_t>(number)})();
     study.conditions.push_back(
         {number, run(conditions[number - 1], params), published[number - 1]});
   }

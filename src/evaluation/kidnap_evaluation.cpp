@@ -13,9 +13,9 @@ namespace falko_slam {
 namespace {
 
 // A drive with what is needed to begin anywhere in it.
-class Drive {
+class PosedDrive {
  public:
-  explicit Drive(const SimulatedDrive& drive) : drive_(drive), truth_(drive.truth) {}
+  explicit PosedDrive(const SimulatedDrive& drive) : drive_(drive), truth_(drive.truth) {}
 
   Time begin() const { return drive_.truth.front().stamp; }
   double seconds() const { return to_seconds(drive_.truth.back().stamp - begin()); }
@@ -37,7 +37,7 @@ class Drive {
 
 class KidnapRun {
  public:
-  KidnapRun(const Drive& first, const Drive& second, const RightPose& right)
+  KidnapRun(const PosedDrive& first, const PosedDrive& second, const RightPose& right)
       : first_(first), second_(second), right_(right) {}
 
   Kidnap run(Localizer& localizer, Time from, Time to, const KidnapParams& params) {
@@ -91,8 +91,8 @@ class KidnapRun {
            std::abs(wrap_angle(pose.theta() - truth.theta())) <= right_.heading;
   }
 
-  const Drive& first_;
-  const Drive& second_;
+  const PosedDrive& first_;
+  const PosedDrive& second_;
   RightPose right_;
 };
 
@@ -109,7 +109,7 @@ std::vector<Kidnap> evaluate_kidnaps(const SimulatedDrive& first, const Simulate
                                      LocalizerParams params, const LandmarkMap& map,
                                      const KidnapParams& kidnap, const RightPose& right) {
   validate(kidnap);
-  const Drive before(first), after(second);
+  const PosedDrive before(first), after(second);
   if (before.seconds() <= kidnap.before + 0.1 || after.seconds() <= kidnap.after + 0.1) {
     throw std::invalid_argument("drives shorter than what comes before and after a kidnap");
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "falko_slam/common/random_sequence.hpp"
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -64,12 +66,6 @@ LocalizerParams told_of_tolerances(LocalizerParams params) {
   return params;
 }
 
-std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
-  std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
-                      static_cast<std::uint32_t>(number), 2U};
-  return std::mt19937_64(words)();
-}
-
 struct MeanPoint {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double count = 0.0;
@@ -92,7 +88,7 @@ PrecisionRun evaluate_precision(const PrecisionVehicle& vehicle, std::size_t num
                                 const PrecisionParams& params) {
   PrecisionRun run;
   run.vehicle = vehicle;
-  run.believed = {vehicle.model.nominal, 1.0, vehicle.model.nominal_base_T_laser};
+  run.believed = nominal_calibration(vehicle.model);
   if (vehicle.calibrated) {
     const CalibrationResult result = calibrate_vehicle(vehicle.model, number, params);
     run.verdict = result.verdict;
@@ -107,7 +103,8 @@ PrecisionRun evaluate_precision(const PrecisionVehicle& vehicle, std::size_t num
   const LocalizerParams localizer =
       vehicle.calibrated ? params.localizer : told_of_tolerances(params.localizer);
   run.drive = drive_layout(scenario, layout, run.believed, localizer, params.odometry, map,
-                           seed_of(params.seed, number), {params.rounds, 1e9});
+                           random_sequence(params.seed, {static_cast<std::uint32_t>(number), 2U})(),
+                           {params.rounds, 1e9});
   return run;
 }
 

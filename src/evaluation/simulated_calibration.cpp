@@ -7,7 +7,9 @@
 #include "falko_slam/calibration/calibration_driver.hpp"
 #include "falko_slam/calibration/recorded_calibration.hpp"
 #include "falko_slam/common/parallel_work.hpp"
+#include "falko_slam/common/random_sequence.hpp"
 #include "falko_slam/common/validation.hpp"
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -23,10 +25,6 @@ SegmentRecorderParams recorder_params(const SimulatedCalibrationParams& params) 
   recorder.reflectors = params.reflectors;
   recorder.scan_duration = params.laser.scan_period;
   return recorder;
-}
-
-VehicleCalibration truth_of(const VehicleModel& vehicle) {
-  return {vehicle.tricycle, 1.0, vehicle.base_T_laser};
 }
 
 }  // namespace
@@ -94,10 +92,7 @@ CalibrationPlan plan_of(const CalibrationCondition& condition,
 
 CalibrationResult calibrate_in_a_hall(const CalibrationPlan& plan,
                                       const SimulatedCalibrationParams& params, std::size_t run) {
-  std::seed_seq words{static_cast<std::uint32_t>(params.seed),
-                      static_cast<std::uint32_t>(params.seed >> 32U),
-                      static_cast<std::uint32_t>(run)};
-  std::mt19937_64 random(words);
+  std::mt19937_64 random = random_sequence(params.seed, {static_cast<std::uint32_t>(run)});
   Scenario scenario = random_hall(params.hall, plan, params.vehicle.nominal, random);
   scenario.vehicle = params.vehicle;
   scenario.laser = params.laser;
@@ -116,7 +111,7 @@ MonteCarloReport run_simulated_calibrations(const CalibrationCondition& conditio
   std::vector<CalibrationResult> results(static_cast<std::size_t>(params.runs));
   do_in_parallel(results.size(), static_cast<std::size_t>(params.threads),
                  [&](std::size_t run) { results[run] = calibrate_in_a_hall(plan, params, run); });
-  CalibrationTally tally(truth_of(params.vehicle));
+  CalibrationTally tally(true_calibration(params.vehicle));
   for (const CalibrationResult& result : results) tally.add(result);
   return {condition,       tally.statistics(),    tally.runs(),
           tally.refused(), tally.outlier_share(), tally.mean_chi2()};

@@ -62,20 +62,6 @@ class StepDriver {
 
 }  // namespace
 
-VehicleCalibration drawn_calibration(const VehicleModel& truth, const CalibrationSpread& spread,
-                                     std::mt19937_64& random) {
-  std::normal_distribution<double> error;
-  VehicleCalibration drawn{truth.tricycle, 1.0, truth.base_T_laser};
-  drawn.tricycle.steer_offset_forward += spread.steer_offset * error(random);
-  drawn.tricycle.steer_offset_backward += spread.steer_offset * error(random);
-  drawn.tricycle.driving_scale += spread.driving_scale * error(random);
-  const Pose2& laser = truth.base_T_laser;
-  const double x = laser.x() + spread.laser_x * error(random);
-  const double y = laser.y() + spread.laser_y * error(random);
-  drawn.base_T_laser = {x, y, laser.theta() + spread.laser_heading * error(random)};
-  return drawn;
-}
-
 SimulatedDrive simulate_drive(const Scenario& scenario, const CalibrationSpread& spread,
                               const OdometryNoise& noise, std::uint64_t seed, double duration,
                               const std::function<void()>& step) {

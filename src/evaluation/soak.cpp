@@ -10,6 +10,7 @@
 
 #include "falko_slam/common/validation.hpp"
 #include "falko_slam/evaluation/simulated_drive.hpp"
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {

@@ -53,7 +53,7 @@ struct End {
 };
 
 // Sums over the points of one side, from which its line follows.
-struct Side {
+struct SideLanes {
   FloatLanes n = kZero, x = kZero, y = kZero, xx = kZero, xy = kZero, yy = kZero;
 
   inline void take(const Neighbors& next) {
@@ -73,7 +73,7 @@ struct SideLine {
   FloatLanes normal_x, normal_y, offset, mean_square_residual;
 };
 
-inline void fit(const Side& side, SideLine& line) {
+inline void fit(const SideLanes& side, SideLine& line) {
   const FloatLanes inverse_count = 1.0F / (side.n + 1.0F);
   const FloatLanes mean_x = side.x * inverse_count;
   const FloatLanes mean_y = side.y * inverse_count;
@@ -93,7 +93,7 @@ inline void fit(const Side& side, SideLine& line) {
 }
 
 // Unit vector along the line, from the corner to where the side's points are.
-inline void direction(const SideLine& line, const Side& side, FloatLanes& x, FloatLanes& y) {
+inline void direction(const SideLine& line, const SideLanes& side, FloatLanes& x, FloatLanes& y) {
   FloatLanes length = line.normal_x * line.normal_x + line.normal_y * line.normal_y;
   square_root(length);
   x = line.normal_y / length;
@@ -142,8 +142,8 @@ bool find_corners(const SampledScan& scan, const BeamBlock& block, const CornerT
   result.corner &= (base_square >= limit) & (area_square >= limit * base_square);
   if (!any(result.corner)) return false;
 
-  Side right_side;
-  Side left_side;
+  SideLanes right_side;
+  SideLanes left_side;
   for (std::int32_t step = 1; step <= block.steps; ++step) {
     look(scan, block, center, step, right, left);
     right_side.take(right);

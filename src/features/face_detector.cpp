@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "falko_slam/common/validation.hpp"
+#include "falko_slam/sensor/unrolled_scan.hpp"
 #include "line_break.hpp"
 
 namespace falko_slam {
@@ -18,60 +19,22 @@ constexpr double kBeyondStraight = 2.0;  // and of a face's shape
 constexpr double kSure = 25.0;           // fall of chi-square that chance does not explain
 constexpr double kMostGrazing = 0.05;    // sine of the angle between beam and face
 
-// Beams counted from the scan's break on, so that surfaces go on across the seam.
-struct OpenScan {
-  OpenScan(const LaserScan& scan, const FaceDetectorParams& params);
-
-  bool usable(std::size_t k) const { return ranges[k] > 0.0; }
-
-  std::size_t size, start = 0;
-  std::vector<Eigen::Vector2d> points;
-  std::vector<double> ranges;  // 0: not to be used
-  std::vector<bool> joined;    // with the one before
-};
-
-OpenScan::OpenScan(const LaserScan& scan, const FaceDetectorParams& params)
-    : size(scan.size()), points(size), ranges(size), joined(size) {
-  const auto joins = [&](std::size_t beam, std::size_t next) {
-    if (!scan.valid(beam) || !scan.valid(next)) return false;
-    const double range = std::min(scan.ranges[beam], scan.ranges[next]);
-    return on_one_surface((scan.point(beam) - scan.point(next)).norm(), range, scan.angle_increment,
-                          params.surface);
-  };
-  if (scan.closed) {
-    while (start < size && joins((start + size - 1) % size, start)) ++start;
-    start %= std::max<std::size_t>(size, 1);
-  }
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::size_t beam = (start + k) % size;
-    const bool usable = scan.valid(beam) && scan.ranges[beam] <= params.max_range;
-    points[k] = usable ? scan.point(beam) : Eigen::Vector2d(0.0, 0.0);
-    ranges[k] = usable ? scan.ranges[beam] : 0.0;
-    joined[k] = k > 0 && usable && ranges[k - 1] > 0.0 && joins((beam + size - 1) % size, beam);
-  }
-}
-
 class FaceSplitter {
  public:
-  FaceSplitter(const OpenScan& scan, const FaceDetectorParams& params)
+  FaceSplitter(const UnrolledScan& scan, const FaceDetectorParams& params)
       : scan_(scan), params_(params) {}
 
   std::vector<DetectedFace> run() {
-    std::size_t first = 0;
-    for (std::size_t k = 1; k <= scan_.size; ++k) {
-      if (k < scan_.size && scan_.joined[k]) continue;
-      if (scan_.usable(first)) split(first, k - 1);
-      first = k;
-    }
+    scan_.for_each_surface([this](std::size_t first, std::size_t last) { split(first, last); });
     return std::move(faces_);
   }
 
  private:
   double variance_across(std::size_t k, const Eigen::Vector2d& normal) const {
-    const Eigen::Vector2d sight = scan_.points[k] / scan_.ranges[k];
+    const Eigen::Vector2d sight = scan_.point(k) / scan_.range(k);
     const double along = params_.range_noise * normal.dot(sight);
     const double turned =
-        params_.bearing_noise * scan_.ranges[k] * (normal.y() * sight.x() - normal.x() * sight.y());
+        params_.bearing_noise * scan_.range(k) * (normal.y() * sight.x() - normal.x() * sight.y());
     return along * along + turned * turned + 1e-10;
   }
 
@@ -79,9 +42,9 @@ class FaceSplitter {
     Line2 line;
     for (int round = 0; round < 2; ++round) {
       LineMoments moments;
-      const Eigen::Vector2d origin = scan_.points[first];
+      const Eigen::Vector2d origin = scan_.point(first);
       for (std::size_t k = first; k <= last; ++k) {
-        const Eigen::Vector2d point = scan_.points[k] - origin;
+        const Eigen::Vector2d point = scan_.point(k) - origin;
         moments.add(point.x(), point.y(), 1.0 / variance_across(k, normal));
       }
       line = moments.fit().line;
@@ -95,7 +58,7 @@ class FaceSplitter {
     for (std::size_t k = first; k <= last; ++k) {
       const double allowed = kBeyondStraight * params_.straightness +
                              kBeyondNoise * std::sqrt(variance_across(k, line.normal));
-      if (std::abs(line.signed_distance(scan_.points[k])) > allowed) return false;
+      if (std::abs(line.signed_distance(scan_.point(k))) > allowed) return false;
     }
     return true;
   }
@@ -104,7 +67,7 @@ class FaceSplitter {
     const Eigen::Vector2d along(-line.normal.y(), line.normal.x());
     LineBreakSearch search;
     for (std::size_t k = first; k <= last; ++k) {
-      const Eigen::Vector2d point = scan_.points[k] - scan_.points[first];
+      const Eigen::Vector2d point = scan_.point(k) - scan_.point(first);
       search.add(along.dot(point), line.normal.dot(point), 1.0 / variance_across(k, line.normal));
     }
     return search.best();
@@ -117,7 +80,7 @@ class FaceSplitter {
   void split(std::size_t first, std::size_t last) {
     const auto end = static_cast<std::size_t>(params_.end_beams);
     if (last + 1 - first < static_cast<std::size_t>(params_.min_beams) + 2 * end) return;
-    const Eigen::Vector2d chord = scan_.points[last] - scan_.points[first];
+    const Eigen::Vector2d chord = scan_.point(last) - scan_.point(first);
     const Eigen::Vector2d across = Eigen::Vector2d(-chord.y(), chord.x()).stableNormalized();
     const Line2 line = fitted(first, last, across);
     if (is_straight(first + end, last - end, line)) {
@@ -129,7 +92,7 @@ class FaceSplitter {
     double farthest = 0.0;
     std::size_t corner = first;
     for (std::size_t k = first + 1; k < last; ++k) {
-      const double distance = std::abs(across.dot(scan_.points[k] - scan_.points[first])) /
+      const double distance = std::abs(across.dot(scan_.point(k) - scan_.point(first))) /
                               std::sqrt(variance_across(k, across));
       if (distance <= farthest) continue;
       farthest = distance;
@@ -143,7 +106,7 @@ class FaceSplitter {
   // Half of the way to the beams on either side.
   double stretch_of(std::size_t k, std::size_t first, std::size_t last) const {
     const std::size_t before = std::max(k, first + 1) - 1, after = std::min(k + 1, last);
-    return 0.5 * (scan_.points[after] - scan_.points[before]).norm();
+    return 0.5 * (scan_.point(after) - scan_.point(before)).norm();
   }
 
   // Every stretch of the face counts alike, however many beams it got: bent as faces are, the part
@@ -152,23 +115,23 @@ class FaceSplitter {
   // what the face's own shape adds to all of them in common.
   void add(std::size_t first, std::size_t last) {
     LineMoments moments;
-    const Eigen::Vector2d origin = scan_.points[first];
+    const Eigen::Vector2d origin = scan_.point(first);
     for (std::size_t k = first; k <= last; ++k) {
-      const Eigen::Vector2d point = scan_.points[k] - origin;
+      const Eigen::Vector2d point = scan_.point(k) - origin;
       moments.add(point.x(), point.y(), stretch_of(k, first, last));
     }
     Line2 line = moments.fit().line;
     line.offset += line.normal.dot(origin);
     if (line.offset < 0.0) line = {-line.normal, -line.offset};
     const Eigen::Vector2d along(-line.normal.y(), line.normal.x());
-    const double from = along.dot(scan_.points[first]), to = along.dot(scan_.points[last]);
+    const double from = along.dot(scan_.point(first)), to = along.dot(scan_.point(last));
     const double middle = 0.5 * (from + to), length = std::abs(to - from);
     if (length < params_.min_length || std::abs(line.offset) < 1e-3) return;
-    const Eigen::Vector2d sight = scan_.points[(first + last) / 2].normalized();
+    const Eigen::Vector2d sight = scan_.point((first + last) / 2).normalized();
     if (std::abs(sight.dot(line.normal)) < kMostGrazing) return;
     Eigen::Matrix2d normal_matrix = Eigen::Matrix2d::Zero(), noise = Eigen::Matrix2d::Zero();
     for (std::size_t k = first; k <= last; ++k) {
-      const Eigen::Vector2d slope(along.dot(scan_.points[k]) - middle, 1.0);
+      const Eigen::Vector2d slope(along.dot(scan_.point(k)) - middle, 1.0);
       const double weight = stretch_of(k, first, last);
       normal_matrix += weight * slope * slope.transpose();
       noise += weight * weight * variance_across(k, line.normal) * slope * slope.transpose();
@@ -181,12 +144,12 @@ class FaceSplitter {
     face.covariance(1, 1) += std::pow(params_.straightness, 2);
     face.middle = line.offset * line.normal + middle * along;
     face.half_length = 0.5 * length;
-    face.first_beam = (scan_.start + first) % scan_.size;
-    face.last_beam = (scan_.start + last) % scan_.size;
+    face.first_beam = scan_.beam_of(first);
+    face.last_beam = scan_.beam_of(last);
     faces_.push_back(face);
   }
 
-  const OpenScan& scan_;
+  const UnrolledScan& scan_;
   const FaceDetectorParams& params_;
   std::vector<DetectedFace> faces_;
 };
@@ -206,8 +169,8 @@ void validate(const FaceDetectorParams& params) {
 
 std::vector<DetectedFace> detect_faces(const LaserScan& scan, const FaceDetectorParams& params) {
   if (scan.size() == 0 || !(scan.angle_increment > 0.0)) return {};
-  const OpenScan open(scan, params);
-  return FaceSplitter(open, params).run();
+  const UnrolledScan unrolled(scan, params.max_range, params.surface);
+  return FaceSplitter(unrolled, params).run();
 }
 
 }  // namespace falko_slam

@@ -9,19 +9,19 @@
 namespace falko_slam {
 namespace {
 
-struct Ray {
+struct FaceRay {
   double aside;   // [beam radii]
   double weight;  // exp(-2 aside^2)
 };
-constexpr std::array<Ray, 9> kRays = {{{-1.5, 0.0111},
-                                       {-1.125, 0.0796},
-                                       {-0.75, 0.3247},
-                                       {-0.375, 0.7548},
-                                       {0.0, 1.0},
-                                       {0.375, 0.7548},
-                                       {0.75, 0.3247},
-                                       {1.125, 0.0796},
-                                       {1.5, 0.0111}}};
+constexpr std::array<FaceRay, 9> kRays = {{{-1.5, 0.0111},
+                                           {-1.125, 0.0796},
+                                           {-0.75, 0.3247},
+                                           {-0.375, 0.7548},
+                                           {0.0, 1.0},
+                                           {0.375, 0.7548},
+                                           {0.75, 0.3247},
+                                           {1.125, 0.0796},
+                                           {1.5, 0.0111}}};
 constexpr double kAllLight = 3.3404;
 
 constexpr double kFull = 0.70710678;  // cos 45 degrees
@@ -33,7 +33,7 @@ FaceInBeam face_in_beam(const ReflectorDetectorParams& params, double aside, dou
                         double range) {
   const double radius = 0.5 * params.diameter;
   FaceInBeam seen;
-  for (const Ray& ray : kRays) {
+  for (const FaceRay& ray : kRays) {
     const double place = (aside + ray.aside * beam_radius) / radius;
     if (std::abs(place) >= 1.0) continue;
     const double cosine = std::sqrt(1.0 - place * place);

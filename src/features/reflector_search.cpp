@@ -16,7 +16,7 @@ namespace {
 constexpr double kRunEnd = 0.1;        // of the peak: darker beams at the ends are left out
 constexpr double kValleyDepth = 1.4;   // of the lesser peak over what lies between
 constexpr std::size_t kLongest = 256;  // beams that are searched for valleys
-constexpr int kBeside = 2;             // beams that are looked at for what hides a reflector
+constexpr int kMayHide = 2;            // beams that are looked at for what hides a reflector
 
 std::size_t wrapped(std::ptrdiff_t beam, std::size_t beams) {
   const auto count = static_cast<std::ptrdiff_t>(beams);
@@ -97,7 +97,7 @@ void ReflectorSearch::judge_part(std::size_t begin, std::size_t count) {
 // Whether something nearer, or nothing at all, lies just beyond `beam`.
 bool ReflectorSearch::hides(std::ptrdiff_t beam, std::ptrdiff_t direction, double range) const {
   const auto beams = static_cast<std::ptrdiff_t>(scan_.size());
-  for (int i = 1; i <= kBeside; ++i) {
+  for (int i = 1; i <= kMayHide; ++i) {
     const std::ptrdiff_t beyond = beam + i * direction;
     if (!scan_.closed && (beyond < 0 || beyond >= beams)) return i == 1;
     const std::size_t index = wrapped(beyond, scan_.size());

@@ -70,6 +70,11 @@ Eigen::Matrix3d Pose2::adjoint() const {
       .finished();
 }
 
+Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
+  const Eigen::Vector2d way = to.translation() - from.translation();
+  return {way.x(), way.y(), wrap_angle(to.theta() - from.theta())};
+}
+
 std::ostream& operator<<(std::ostream& out, const Pose2& pose) {
   return out << "(" << pose.x() << " m, " << pose.y() << " m, " << pose.theta() << " rad)";
 }

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "falko_slam/geometry/pose_estimate.hpp"
+
 namespace falko_slam {
 
 /// Lower triangular L with L L^T = covariance, zero where nothing is uncertain. False if it is not
@@ -39,6 +41,15 @@ template <int N>
 bool is_positive_definite(const Eigen::Matrix<double, N, N>& covariance) {
   Eigen::Matrix<double, N, N> L;
   return factorise<N>(covariance, L) && (L.diagonal().array() > 0.0).all();
+}
+
+inline bool is_finite(const Pose2& pose) {
+  return pose.translation().allFinite() && std::isfinite(pose.theta());
+}
+
+/// Finite, with a covariance that is one.
+inline bool is_usable(const PoseEstimate& estimate) {
+  return is_finite(estimate.pose) && is_positive_semidefinite<3>(estimate.covariance);
 }
 
 }  // namespace falko_slam

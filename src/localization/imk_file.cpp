@@ -68,7 +68,7 @@ MapLandmark landmark_of(const LineReader& reader, const std::vector<std::string>
 
 std::int64_t millimetres(double metres) { return std::llround(metres / kMillimetre); }
 
-std::string line_of(const MapLandmark& landmark) {
+std::string imk_line(const MapLandmark& landmark) {
   std::ostringstream line;
   line << landmark.id << ' ' << millimetres(landmark.position.x()) << ' '
        << millimetres(landmark.position.y()) << ' ' << landmark.layout.type << ' '
@@ -108,7 +108,7 @@ std::size_t write_imk(const std::string& path, const LandmarkMap& map) {
     }
     const std::string name = "landmarks[" + std::to_string(i) + "].id";
     require_in_range<std::int64_t>(name.c_str(), map.landmarks[i].id, 0, kMostId);
-    text += line_of(map.landmarks[i]);
+    text += imk_line(map.landmarks[i]);
   }
   if (left_out == map.landmarks.size()) {
     throw std::invalid_argument("landmarks: there is no reflector among them");

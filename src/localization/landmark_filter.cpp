@@ -19,14 +19,6 @@
 namespace falko_slam {
 namespace {
 
-bool is_finite(const Pose2& pose) {
-  return pose.translation().allFinite() && std::isfinite(pose.theta());
-}
-
-bool is_usable(const PoseEstimate& estimate) {
-  return is_finite(estimate.pose) && is_positive_semidefinite<3>(estimate.covariance);
-}
-
 void require_usable(const PoseEstimate& map_T_base) {
   if (is_usable(map_T_base)) return;
   throw std::invalid_argument(

@@ -6,22 +6,14 @@
 #include "falko_slam/common/number_text.hpp"
 #include "falko_slam/common/whole_file.hpp"
 #include "falko_slam/common/yaml_fields.hpp"
+#include "falko_slam/common/yaml_value.hpp"
 #include "landmark_fields.hpp"
 
 namespace falko_slam {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kMapVersion = 1;
 constexpr std::size_t kMostBytes = std::size_t{1} << 20U;  // that YamlFields reads
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') result += '\\';
-    result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-  }
-  return result + "\"";
-}
 
 std::string list_of(const std::vector<int>& numbers) {
   std::string text;
@@ -87,7 +79,7 @@ void write_landmark_map(const std::string& path, const LandmarkMap& map) {
   std::string text =
       "# A map of landmarks of falko_slam, in metres; covariance: [xx, xy, yy].\n"
       "landmark_map_version: " +
-      std::to_string(kVersion) + "\nlandmarks:\n";
+      std::to_string(kMapVersion) + "\nlandmarks:\n";
   for (const MapLandmark& landmark : map.landmarks) text += line_of(landmark);
   text += "complete: true\n";
   if (text.size() > kMostBytes) {
@@ -99,7 +91,7 @@ void write_landmark_map(const std::string& path, const LandmarkMap& map) {
 
 LandmarkMap read_landmark_map(const std::string& path) {
   const YamlFields file(path);
-  file.at("landmark_map_version").integer(kVersion, kVersion);
+  file.at("landmark_map_version").integer(kMapVersion, kMapVersion);
   LandmarkMap map;
   std::unordered_map<int, std::string> path_of;
   for (const YamlValue& value : file.at("landmarks").items()) {

@@ -14,11 +14,6 @@ namespace {
 
 constexpr int kSetBack = 3;  // motions in a row from before the track: the clock, not one of them
 
-bool is_usable(const PoseEstimate& motion) {
-  return motion.pose.translation().allFinite() && std::isfinite(motion.pose.theta()) &&
-         is_positive_semidefinite<3>(motion.covariance);
-}
-
 }  // namespace
 
 InputVerdict Localizer::Impl::add_motion(Time stamp, const PoseEstimate& motion) {

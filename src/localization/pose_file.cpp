@@ -20,7 +20,7 @@
 namespace falko_slam {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kPoseVersion = 1;
 
 // The upper half of a symmetric 3 x 3 matrix, row by row.
 std::string upper_half(const Eigen::Matrix3d& matrix) {
@@ -83,7 +83,7 @@ void write_saved_pose(const std::string& path, const SavedPose& saved) {
   write_whole_file(path,
                    "# Where base_link was last in the map [m], [rad]; covariance: xx, xy, xt, yy, "
                    "yt, tt.\nsaved_pose_version: " +
-                       std::to_string(kVersion) + "\nmap: \"" + saved.map + "\"\nstamp: \"" +
+                       std::to_string(kPoseVersion) + "\nmap: \"" + saved.map + "\"\nstamp: \"" +
                        stamp_text(saved.stamp) + "\"\npose: [" + exact_text(pose.x()) + ", " +
                        exact_text(pose.y()) + ", " + exact_text(pose.theta()) + "]\ncovariance: " +
                        upper_half(saved.map_T_base.covariance) + "\ncomplete: true\n");
@@ -91,7 +91,7 @@ void write_saved_pose(const std::string& path, const SavedPose& saved) {
 
 SavedPose read_saved_pose(const std::string& path) {
   const YamlFields file(path);
-  file.at("saved_pose_version").integer(kVersion, kVersion);
+  file.at("saved_pose_version").integer(kPoseVersion, kPoseVersion);
   SavedPose saved;
   saved.map = file.at("map").text();
   const YamlValue stamp = file.at("stamp");

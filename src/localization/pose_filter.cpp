@@ -12,14 +12,6 @@
 namespace falko_slam {
 namespace {
 
-bool is_finite(const Pose2& pose) {
-  return pose.translation().allFinite() && std::isfinite(pose.theta());
-}
-
-bool is_usable(const PoseEstimate& estimate) {
-  return is_finite(estimate.pose) && is_positive_semidefinite<3>(estimate.covariance);
-}
-
 Eigen::Matrix3d symmetric(const Eigen::Matrix3d& matrix) {
   return 0.5 * (matrix + matrix.transpose());
 }

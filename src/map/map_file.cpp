@@ -47,7 +47,7 @@ GridMap grid_of(const GrayImage& image, const MapDescription& description) {
 }
 
 // Plain, as map_saver writes it, unless YAML needs quotes around it.
-std::string quoted(const std::string& name) {
+std::string quoted_if_needed(const std::string& name) {
   constexpr const char* kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
   if (name.front() != '-' && name.find_first_not_of(kPlain) == std::string::npos) return name;
@@ -91,7 +91,7 @@ void write_map(const std::string& yaml_path, const GridMap& map, const MapFilePa
   const bool raw = params.mode == MapMode::kRaw;
   const GrayImage image = raw ? raw_image(map) : trinary_image(map, params.thresholds);
   const Pose2& origin = map.map_T_origin;
-  std::string yaml = "image: " + quoted(image_file) + "\n";
+  std::string yaml = "image: " + quoted_if_needed(image_file) + "\n";
   yaml += "resolution: " + exact_text(map.resolution) + "\n";
   yaml += "origin: [" + exact_text(origin.x()) + ", " + exact_text(origin.y()) + ", " +
           exact_text(origin.theta()) + "]\n";

@@ -10,26 +10,17 @@
 #include "falko_slam/common/sealed_bytes.hpp"
 #include "falko_slam/common/whole_file.hpp"
 #include "falko_slam/geometry/angles.hpp"
+#include "falko_slam/geometry/pose_bytes.hpp"
 
 namespace falko_slam {
 namespace {
 
-const FileKind kKind{"FALKOKEY", 1, "keyframes"};
+const FileKind kKeyframes{"FALKOKEY", 1, "keyframes"};
 // Of a record without beams. A count is compared with what is left before memory is asked for.
 constexpr std::size_t kLeastRecord = 4 * 8 + 9 * 8 + 2 + 4;
 constexpr double kFarthest = 1e6;   // [m]
 constexpr double kWidest = 1000.0;  // more than what normalize() lets pass [rad]
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-void require(bool condition, const std::string& wrong) {
-  if (!condition) throw std::runtime_error(wrong);
-}
-
-void put(ByteWriter& out, const Pose2& pose) {
-  out.f64(pose.x());
-  out.f64(pose.y());
-  out.f64(pose.theta());
-}
 
 void put(ByteWriter& out, const LaserScan& scan) {
   out.i64(scan.first_beam_time.time_since_epoch().count());
@@ -47,33 +38,28 @@ void put(ByteWriter& out, const LaserScan& scan) {
 }
 
 double number_in(double value, double limit, const char* name) {
-  require(std::abs(value) <= limit,
-          std::string(name) + " " + std::to_string(value) + " makes no sense");
+  require_sound(std::abs(value) <= limit,
+                std::string(name) + " " + std::to_string(value) + " makes no sense");
   return value;
 }
 
 bool flag(ByteReader& in, const char* name) {
   const std::uint8_t value = in.u8();
-  require(value <= 1, std::string(name) + " is neither true nor false");
+  require_sound(value <= 1, std::string(name) + " is neither true nor false");
   return value == 1;
-}
-
-Pose2 take_pose(ByteReader& in) {
-  const double x = number_in(in.f64(), 1e9, "x");
-  const double y = number_in(in.f64(), 1e9, "y");
-  return {x, y, number_in(in.f64(), kTwoPi, "heading")};
 }
 
 void take_beam(ByteReader& in, std::size_t beam, LaserScan& scan) {
   const std::uint8_t status = in.u8();
-  require(status < kBeamStatusCount, "beam " + std::to_string(beam) + " has status " +
-                                         std::to_string(status) + ", which is not known");
+  require_sound(status < kBeamStatusCount, "beam " + std::to_string(beam) + " has status " +
+                                               std::to_string(status) + ", which is not known");
   scan.status.push_back(static_cast<BeamStatus>(status));
   scan.ranges.push_back(kNaN);
   if (!scan.valid(beam)) return;
   const auto range = static_cast<double>(in.f32());
-  require(range >= 0.0 && range <= kFarthest, "beam " + std::to_string(beam) + " has range " +
-                                                  std::to_string(range) + ", which makes no sense");
+  require_sound(range >= 0.0 && range <= kFarthest, "beam " + std::to_string(beam) + " has range " +
+                                                        std::to_string(range) +
+                                                        ", which makes no sense");
   scan.ranges.back() = range;
 }
 
@@ -87,11 +73,11 @@ LaserScan take_scan(ByteReader& in) {
   scan.closed = flag(in, "closed");
   scan.reversed = flag(in, "reversed");
   const std::uint32_t beams = in.u32();
-  require(beams <= in.left(), "ends too early");
-  require(scan.angle_increment > 0.0 || (scan.angle_increment == 0.0 && beams <= 1),
-          "angle_increment " + std::to_string(scan.angle_increment) + " makes no sense");
-  require(beams * scan.angle_increment < kTwoPi + 1.5 * scan.angle_increment,
-          "its beams are more than a full turn");
+  require_sound(beams <= in.left(), "ends too early");
+  require_sound(scan.angle_increment > 0.0 || (scan.angle_increment == 0.0 && beams <= 1),
+                "angle_increment " + std::to_string(scan.angle_increment) + " makes no sense");
+  require_sound(beams * scan.angle_increment < kTwoPi + 1.5 * scan.angle_increment,
+                "its beams are more than a full turn");
   scan.status.reserve(beams);
   scan.ranges.reserve(beams);
   for (std::uint32_t beam = 0; beam < beams; ++beam) take_beam(in, beam, scan);
@@ -103,11 +89,12 @@ KeyframeRecord take_record(ByteReader& in, const std::vector<KeyframeRecord>& be
   record.stamp = Time(Duration(in.i64()));
   const std::uint64_t drive = in.u64();
   if (before.empty()) {
-    require(drive == 0, "drive " + std::to_string(drive) + " is not the first one");
+    require_sound(drive == 0, "drive " + std::to_string(drive) + " is not the first one");
   } else {
     const std::size_t last = before.back().drive;
-    require(drive == last || drive == last + 1,
-            "drive " + std::to_string(drive) + " does not follow drive " + std::to_string(last));
+    require_sound(
+        drive == last || drive == last + 1,
+        "drive " + std::to_string(drive) + " does not follow drive " + std::to_string(last));
   }
   record.drive = drive;
   record.odom_T_laser = take_pose(in);
@@ -119,7 +106,7 @@ KeyframeRecord take_record(ByteReader& in, const std::vector<KeyframeRecord>& be
 }  // namespace
 
 std::string to_bytes(const std::vector<KeyframeRecord>& records) {
-  ByteWriter out = begin_sealed(kKind);
+  ByteWriter out = begin_sealed(kKeyframes);
   out.u64(records.size());
   for (const KeyframeRecord& record : records) {
     out.i64(record.stamp.time_since_epoch().count());
@@ -132,9 +119,9 @@ std::string to_bytes(const std::vector<KeyframeRecord>& records) {
 }
 
 std::vector<KeyframeRecord> keyframes_from(const std::string& bytes) {
-  ByteReader in = open_sealed(bytes, kKind);
+  ByteReader in = open_sealed(bytes, kKeyframes);
   const std::uint64_t count = in.u64();
-  require(count <= in.left() / kLeastRecord, "ends too early");
+  require_sound(count <= in.left() / kLeastRecord, "ends too early");
   std::vector<KeyframeRecord> records;
   records.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -156,7 +143,7 @@ void write_keyframe_file(const std::string& path, const std::vector<KeyframeReco
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": could not be read again, not written: " + error.what());
   }
-  write_sealed_file(path, bytes, kKind);
+  write_sealed_file(path, bytes, kKeyframes);
 }
 
 std::vector<KeyframeRecord> read_keyframe_file(const std::string& path) {

@@ -55,11 +55,6 @@ RegistrationEquations equations(const std::vector<PosedView>& target, const Scan
   return sum;
 }
 
-Eigen::Vector3d difference(const Pose2& to, const Pose2& from) {
-  const Eigen::Vector2d way = to.translation() - from.translation();
-  return {way.x(), way.y(), wrap_angle(to.theta() - from.theta())};
-}
-
 }  // namespace
 
 void validate(const RegistrationParams& params) {

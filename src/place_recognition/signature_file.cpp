@@ -11,13 +11,13 @@
 namespace falko_slam {
 namespace {
 
-const FileKind kKind{"FALKOSIG", 1, "signatures"};
+const FileKind kSignatures{"FALKOSIG", 1, "signatures"};
 
 SignatureBlock block_from(const std::string& bytes) {
   const auto require = [](bool condition, const char* wrong) {
     if (!condition) throw std::runtime_error(wrong);
   };
-  ByteReader in = open_sealed(bytes, kKind);
+  ByteReader in = open_sealed(bytes, kSignatures);
   require(in.left() >= 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t), "ends too early");
   SignatureBlock block;
   Signature signature;
@@ -42,7 +42,7 @@ SignatureBlock block_from(const std::string& bytes) {
 }  // namespace
 
 void write_signature_file(const std::string& path, const SignatureBlock& block) {
-  ByteWriter out = begin_sealed(kKind);
+  ByteWriter out = begin_sealed(kSignatures);
   out.u32(static_cast<std::uint32_t>(block.rows));
   out.u32(static_cast<std::uint32_t>(block.columns));
   out.u64(block.size());
@@ -50,7 +50,7 @@ void write_signature_file(const std::string& path, const SignatureBlock& block) 
     out.u64(block.ids[i].value);
     out.text(std::string(block.cells_of(i), block.cells_of(i) + block.cell_count()));
   }
-  write_sealed_file(path, seal(std::move(out)), kKind);
+  write_sealed_file(path, seal(std::move(out)), kSignatures);
 }
 
 SignatureBlock read_signature_file(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <boost/iostreams/filter/bzip2.hpp>
 #include <boost/iostreams/filter/gzip.hpp>
 #include <boost/iostreams/filtering_stream.hpp>
+#include <filesystem>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -122,11 +123,6 @@ std::string text_of(const PoseGraph& graph) {
   return out.str();
 }
 
-bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() &&
-         text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 }  // namespace
 
 G2oFile read_g2o(const std::string& path) {
@@ -151,10 +147,11 @@ G2oFile read_g2o(const std::string& path) {
 
 void write_g2o(const std::string& path, const PoseGraph& graph) {
   namespace io = boost::iostreams;
+  const std::string ending = std::filesystem::path(path).extension().string();
   std::string packed;
   io::filtering_ostream out;
-  if (ends_with(path, ".gz")) out.push(io::gzip_compressor());
-  if (ends_with(path, ".bz2")) out.push(io::bzip2_compressor());
+  if (ending == ".gz") out.push(io::gzip_compressor());
+  if (ending == ".bz2") out.push(io::bzip2_compressor());
   out.push(io::back_inserter(packed));
   out << text_of(graph);
   out.reset();

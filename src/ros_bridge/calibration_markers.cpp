@@ -25,7 +25,7 @@ bool far_from(const Pose2& a, const Pose2& b) {
 
 constexpr MarkerLook kPlanned{"planned", 0.85F, 0.85F, 0.75F, 1.0F, 0.03};
 constexpr MarkerLook kDriven{"driven", 0.2F, 0.5F, 1.0F, 1.0F, 0.05};
-constexpr MarkerLook kReflectors{"reflectors", 0.8F, 0.2F, 0.9F, 1.0F, 0.25};
+constexpr MarkerLook kMeasuredReflectors{"reflectors", 0.8F, 0.2F, 0.9F, 1.0F, 0.25};
 // By CalibrationMarkers::Arrow::Kind.
 constexpr MarkerLook kResiduals[] = {{"residuals", 1.0F, 0.6F, 0.1F, 1.0F, 0.06},
                                      {"residuals", 0.1F, 0.8F, 0.2F, 1.0F, 0.06},
@@ -106,7 +106,7 @@ visualization_msgs::MarkerArray CalibrationMarkers::markers(const std_msgs::Head
   for (const Pose2& pose : planned_) add_point(planned, pose.translation());
   Marker driven = marker_of(kDriven, Marker::LINE_STRIP, header);
   for (const Passed& passed : driven_) add_point(driven, passed.odom_T_base.translation());
-  Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);
+  Marker reflectors = marker_of(kMeasuredReflectors, Marker::SPHERE_LIST, header);
   for (const Eigen::Vector2d& reflector : reflectors_) add_point(reflectors, reflector);
   std::vector<Marker> kinds;
   for (const MarkerLook& look : kResiduals) {

@@ -20,10 +20,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr char kEncoderType[] = "falko_slam/TricycleEncoders";
-constexpr char kReflectorType[] = "falko_slam/ReflectorArray";
-constexpr char kScanType[] = "sensor_msgs/LaserScan";
-
 bool has_topic(const rosbag::Bag& bag, const std::string& type, const std::string& wanted) {
   for (const auto& [topic, its_type] : topic_types(bag)) {
     if (its_type == type && is_wanted(topic, wanted)) return true;

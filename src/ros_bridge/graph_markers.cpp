@@ -10,7 +10,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr MarkerLook kKeyframes{"keyframes", 0.2F, 0.5F, 1.0F, 1.0F, 0.15};
+constexpr MarkerLook kNodes{"keyframes", 0.2F, 0.5F, 1.0F, 1.0F, 0.15};
 constexpr MarkerLook kOdometry{"odometry", 0.3F, 0.5F, 0.9F, 0.8F, 0.04};
 constexpr MarkerLook kRegistrations{"registrations", 0.5F, 0.5F, 0.6F, 0.4F, 0.02};
 constexpr MarkerLook kClosures{"closures", 0.0F, 0.8F, 0.2F, 0.7F, 0.03};
@@ -31,7 +31,7 @@ void add_refused(Marker& marker, const FeatureSlam& slam) {
 }  // namespace
 
 MarkerArray graph_markers(const FeatureSlam& slam, const std_msgs::Header& header) {
-  Marker keyframes = marker_of(kKeyframes, Marker::SPHERE_LIST, header);
+  Marker keyframes = marker_of(kNodes, Marker::SPHERE_LIST, header);
   Marker odometry = marker_of(kOdometry, Marker::LINE_LIST, header);
   Marker registrations = marker_of(kRegistrations, Marker::LINE_LIST, header);
   Marker closures = marker_of(kClosures, Marker::LINE_LIST, header);

@@ -27,11 +27,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr char kEncoderType[] = "falko_slam/TricycleEncoders";
-constexpr char kOdometryType[] = "nav_msgs/Odometry";
-constexpr char kReflectorType[] = "falko_slam/ReflectorArray";
-constexpr char kScanType[] = "sensor_msgs/LaserScan";
-
 // What a device reports of a reflector: distance and direction each with a figure of their own.
 constexpr double kReportedRange = 0.008, kReportedBearing = 1e-3;  // [m], [rad]
 

@@ -16,7 +16,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr MarkerLook kReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
+constexpr MarkerLook kMapReflectors{"reflectors", 1.0F, 0.8F, 0.1F, 1.0F, 0.35};
 constexpr MarkerLook kFeatures{"features", 0.3F, 0.6F, 1.0F, 1.0F, 0.20};
 constexpr MarkerLook kStatePoints{"state_points", 0.1F, 0.9F, 0.9F, 1.0F, 0.20};
 constexpr MarkerLook kStateFaces{"state_faces", 0.1F, 0.9F, 0.9F, 1.0F, 0.10};
@@ -27,7 +27,7 @@ constexpr MarkerLook kDeviation{"deviation", 0.7F, 0.3F, 1.0F, 0.6F, 0.05};
 constexpr double kDeviations = 3.0;
 
 void add_map(const LandmarkMap& map, const std_msgs::Header& header, MarkerArray& markers) {
-  Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);
+  Marker reflectors = marker_of(kMapReflectors, Marker::SPHERE_LIST, header);
   Marker features = marker_of(kFeatures, Marker::CUBE_LIST, header);
   for (const MapLandmark& landmark : map.landmarks) {
     add_point(landmark.kind == LandmarkKind::kReflector ? reflectors : features, landmark.position);

@@ -15,7 +15,7 @@ using visualization_msgs::Marker;
 constexpr double kLeastScore = 0.5;
 
 constexpr MarkerLook kEarlier{"earlier_keyframes", 0.4F, 0.4F, 0.7F, 1.0F, 0.1};
-constexpr MarkerLook kKeyframes{"keyframes", 0.2F, 0.5F, 1.0F, 1.0F, 0.1};
+constexpr MarkerLook kPlaces{"keyframes", 0.2F, 0.5F, 1.0F, 1.0F, 0.1};
 constexpr MarkerLook kRejected{"rejected_loops", 0.6F, 0.6F, 0.6F, 0.4F, 0.02};
 constexpr MarkerLook kAccepted{"accepted_loops", 0.0F, 0.9F, 0.2F, 1.0F, 0.05};
 
@@ -66,7 +66,7 @@ visualization_msgs::MarkerArray LoopMarkers::markers(const ros::Time& stamp) con
     append(std::move(marker), array);
   };
   add(kEarlier, Marker::POINTS, earlier_keyframes_);
-  add(kKeyframes, Marker::POINTS, keyframes_);
+  add(kPlaces, Marker::POINTS, keyframes_);
   add(kRejected, Marker::LINE_LIST, rejected_);
   add(kAccepted, Marker::LINE_LIST, accepted_);
   return array;

@@ -104,7 +104,7 @@ struct Kind {
   RecordedDrive (*read)(const Recorded&, const VehicleModel&);
 };
 constexpr Kind kKinds[] = {{"falko_slam/DriveCommand", read_commands},
-                           {"falko_slam/TricycleEncoders", read_encoders},
+                           {kEncoderType, read_encoders},
                            {"sensor_msgs/JointState", read_joints}};
 
 RecordedDrive read(const rosbag::Bag& bag, const std::string& path, const std::string& wanted,

@@ -30,7 +30,7 @@ std::string scan_topic(const rosbag::Bag& bag, const std::string& path, const st
   std::set<std::string> all;
   for (const auto& [topic, type] : topic_types(bag)) {
     all.insert(topic);
-    if (type == "sensor_msgs/LaserScan") scans.insert(topic);
+    if (type == kScanType) scans.insert(topic);
   }
   if (wanted.empty() && scans.size() == 1) return *scans.begin();
   for (const std::string& name : {wanted, "/" + wanted}) {

@@ -9,6 +9,12 @@
 
 namespace falko_slam {
 
+/// Types of messages.
+inline constexpr char kEncoderType[] = "falko_slam/TricycleEncoders";
+inline constexpr char kOdometryType[] = "nav_msgs/Odometry";
+inline constexpr char kReflectorType[] = "falko_slam/ReflectorArray";
+inline constexpr char kScanType[] = "sensor_msgs/LaserScan";
+
 /// By its ending; anything else is a CARMEN log.
 bool is_bag(const std::string& path);
 

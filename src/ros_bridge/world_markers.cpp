@@ -14,7 +14,7 @@ using visualization_msgs::MarkerArray;
 
 constexpr MarkerLook kFixed{"world", 0.1F, 0.1F, 0.1F, 1.0F, 0.08};
 constexpr MarkerLook kThings{"things", 0.9F, 0.4F, 0.0F, 1.0F, 0.08};
-constexpr MarkerLook kReflectors{"reflectors", 1.0F, 0.8F, 0.0F, 1.0F, 0.3};
+constexpr MarkerLook kTrueReflectors{"reflectors", 1.0F, 0.8F, 0.0F, 1.0F, 0.3};
 
 // A circle as so many lines.
 void add_circle(Marker& marker, const Cylinder& cylinder, const Pose2& world_T_shape) {
@@ -42,7 +42,7 @@ void add_shape(Marker& marker, const Shape& shape, const Pose2& world_T_shape) {
 MarkerArray world_markers(const World& world, double seconds, const std_msgs::Header& header) {
   Marker fixed = marker_of(kFixed, Marker::LINE_LIST, header);
   Marker things = marker_of(kThings, Marker::LINE_LIST, header);
-  Marker reflectors = marker_of(kReflectors, Marker::SPHERE_LIST, header);
+  Marker reflectors = marker_of(kTrueReflectors, Marker::SPHERE_LIST, header);
   add_shape(fixed, world.fixed, {});
   for (const Body& body : world.bodies) {
     if (seconds < body.appears || seconds >= body.disappears) continue;

@@ -9,19 +9,19 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kFar = 1000.0;     // [m]
-constexpr double kRounding = 1e-9;  // of quotients like 2 pi / 1440
+constexpr double kFar = 1000.0;      // [m]
+constexpr double kQuotients = 1e-9;  // of quotients like 2 pi / 1440
 
 void validate_beams(const LaserModel& laser) {
   require_in_range<std::size_t>("beams", laser.beams, 2, 100000);
   const auto beams = static_cast<double>(laser.beams);
   require_in_range("angle_min", laser.angle_min, -kTwoPi, kTwoPi);
-  const double most = kTwoPi / (beams - 1.0) * (1.0 + kRounding);
+  const double most = kTwoPi / (beams - 1.0) * (1.0 + kQuotients);
   require_in_range("angle_increment", laser.angle_increment, -most, most);
   require_in_range("angle_increment without sign", std::abs(laser.angle_increment), 1e-6, most);
   require_in_range("scan_period", laser.scan_period, 1e-3, 60.0);
   require_in_range("time_increment", laser.time_increment, 0.0,
-                   laser.scan_period / beams * (1.0 + kRounding));
+                   laser.scan_period / beams * (1.0 + kQuotients));
 }
 
 void validate_optics(const LaserModel& laser) {

@@ -11,7 +11,6 @@ namespace {
 constexpr double kLookAhead = 0.7;      // [m]
 constexpr double kLookAheadTime = 0.4;  // more at speed [s]
 constexpr double kMostSideways = 0.6;   // [m/s^2]
-constexpr double kThere = 0.002;        // [m]
 constexpr double kCreep = 0.02;         // [m/s]
 
 std::vector<Eigen::Vector2d> from_here(const Pose2& here, const FollowStep& step) {

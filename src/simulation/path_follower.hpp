@@ -10,6 +10,9 @@
 
 namespace falko_slam {
 
+/// A wheel that is so near to where it halts is there [m].
+inline constexpr double kThere = 0.002;
+
 /// Pure pursuit of a path by base_link, the true pose given.
 class PathFollower {
  public:

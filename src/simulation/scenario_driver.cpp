@@ -10,7 +10,6 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kThere = 0.002;     // [m]
 constexpr double kSamePlace = 1e-6;  // [m]
 
 /// A wait: over when its time is.

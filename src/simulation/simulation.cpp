@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "falko_slam/simulation/simulation.hpp"
 
+#include "falko_slam/common/random_sequence.hpp"
+
 namespace falko_slam {
 namespace {
-
-// Noise of different things comes from different sequences: more of one does not change the other.
-std::mt19937_64 sequence(std::uint64_t seed, std::uint32_t number) {
-  std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
-                      number};
-  return std::mt19937_64(words);
-}
 
 Scenario checked(Scenario scenario) {
   validate(scenario.vehicle);
@@ -24,9 +19,9 @@ Simulation::Simulation(Scenario scenario, Time start, std::uint64_t seed)
     : scenario_(checked(std::move(scenario))),
       start_(start),
       period_(from_seconds(1.0 / scenario_.vehicle.encoder_rate)),
-      vehicle_(scenario_.vehicle, scenario_.world_T_start, start, sequence(seed, 1)()),
+      vehicle_(scenario_.vehicle, scenario_.world_T_start, start, random_sequence(seed, {1})()),
       scanner_(scenario_.laser, scenario_.vehicle.base_T_laser, scenario_.world, start),
-      scan_random_(sequence(seed, 2)),
+      scan_random_(random_sequence(seed, {2})),
       reflector_diameter_(diameter_of_reflectors(scenario_.world)) {}
 
 Time Simulation::scan_begin() const {

@@ -8,24 +8,13 @@
 
 #include "falko_slam/common/sealed_bytes.hpp"
 #include "falko_slam/common/whole_file.hpp"
+#include "falko_slam/geometry/pose_bytes.hpp"
 
 namespace falko_slam {
 namespace {
 
 const FileKind kKind{"FALKOMAP", 1, "a SLAM state"};
-constexpr double kFarthest = 1e9;  // [m]
-constexpr std::size_t kPoseBytes = 3 * 8;
 constexpr std::size_t kConstraintBytes = 2 * 8 + kPoseBytes + 6 * 8 + 1;
-
-void require(bool condition, const std::string& wrong) {
-  if (!condition) throw std::runtime_error(wrong);
-}
-
-void put(ByteWriter& out, const Pose2& pose) {
-  out.f64(pose.x());
-  out.f64(pose.y());
-  out.f64(pose.theta());
-}
 
 void put(ByteWriter& out, const GraphConstraint& constraint) {
   out.u64(constraint.from.value);
@@ -37,17 +26,9 @@ void put(ByteWriter& out, const GraphConstraint& constraint) {
   out.u8(static_cast<std::uint8_t>(constraint.kind));
 }
 
-Pose2 take_pose(ByteReader& in) {
-  const double x = in.f64(), y = in.f64(), theta = in.f64();
-  require(std::abs(x) <= kFarthest && std::abs(y) <= kFarthest && std::abs(theta) <= 10.0,
-          "a pose of " + std::to_string(x) + ", " + std::to_string(y) + ", " +
-              std::to_string(theta) + " makes no sense");
-  return {x, y, theta};
-}
-
 KeyframeId take_id(ByteReader& in, std::size_t count) {
   const KeyframeId id{in.u64()};
-  require(id.value < count, "keyframe " + std::to_string(id.value) + " is not there");
+  require_sound(id.value < count, "keyframe " + std::to_string(id.value) + " is not there");
   return id;
 }
 
@@ -55,7 +36,7 @@ GraphConstraint take_constraint(ByteReader& in, std::size_t keyframes) {
   GraphConstraint result;
   result.from = take_id(in, keyframes);
   result.to = take_id(in, keyframes);
-  require(result.from != result.to, "a constraint of a keyframe with itself");
+  require_sound(result.from != result.to, "a constraint of a keyframe with itself");
   result.from_T_to = take_pose(in);
   for (Eigen::Index i = 0; i < 3; ++i) {
     for (Eigen::Index j = i; j < 3; ++j) {
@@ -64,15 +45,15 @@ GraphConstraint take_constraint(ByteReader& in, std::size_t keyframes) {
   }
   estimate_of(result);  // throws unless the information is that of an estimate
   const std::uint8_t kind = in.u8();
-  require(kind <= static_cast<std::uint8_t>(ConstraintKind::kClosure),
-          "a constraint of unknown kind " + std::to_string(kind));
+  require_sound(kind <= static_cast<std::uint8_t>(ConstraintKind::kClosure),
+                "a constraint of unknown kind " + std::to_string(kind));
   result.kind = static_cast<ConstraintKind>(kind);
   return result;
 }
 
 std::size_t take_count(ByteReader& in, std::size_t bytes_each) {
   const std::uint64_t count = in.u64();
-  require(count <= in.left() / bytes_each, "ends too early");
+  require_sound(count <= in.left() / bytes_each, "ends too early");
   return static_cast<std::size_t>(count);
 }
 
@@ -97,9 +78,9 @@ SlamState slam_state_from(const std::string& bytes) try {
   SlamState state;
   state.keyframes = keyframes_from(in.text(take_count(in, 1)));
   const std::size_t count = take_count(in, kPoseBytes);
-  require(count == state.keyframes.size(), std::to_string(state.keyframes.size()) +
-                                               " keyframes, but " + std::to_string(count) +
-                                               " poses");
+  require_sound(count == state.keyframes.size(), std::to_string(state.keyframes.size()) +
+                                                     " keyframes, but " + std::to_string(count) +
+                                                     " poses");
   for (std::size_t i = 0; i < count; ++i) state.graph.nodes.push_back({{i}, take_pose(in)});
   const std::size_t constraints = take_count(in, kConstraintBytes);
   for (std::size_t i = 0; i < constraints; ++i) {

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-enum class Mode { kSlow, kFast };
-const EnumNames<Mode> kModes = {{"slow", Mode::kSlow}, {"fast", Mode::kFast}};
+enum class Pace { kSlow, kFast };
+const EnumNames<Pace> kPaces = {{"slow", Pace::kSlow}, {"fast", Pace::kFast}};
 
 // The value of a.b in a file.
 YamlValue parsed(const std::string& text) {
@@ -87,10 +87,10 @@ TEST(YamlValue, ReadsFlagsTextsAndNames) {
   EXPECT_FALSE(parsed("false").flag());
   EXPECT_EQ(parsed("\"5 m\"").text(), "5 m");
   EXPECT_EQ(parsed("'it''s'").text(), "it's");
-  EXPECT_EQ(parsed("fast").choice(kModes), Mode::kFast);
+  EXPECT_EQ(parsed("fast").choice(kPaces), Pace::kFast);
   const auto flag = [](const YamlValue& value) { value.flag(); };
   const auto text = [](const YamlValue& value) { value.text(); };
-  const auto mode = [](const YamlValue& value) { value.choice(kModes); };
+  const auto mode = [](const YamlValue& value) { value.choice(kPaces); };
   EXPECT_EQ(complaint("1", flag), "c.yaml: line 2: a.b: must be true or false");
   EXPECT_EQ(complaint("[]", text), "c.yaml: line 2: a.b: must be a text");
   EXPECT_EQ(complaint("slower", mode), "c.yaml: line 2: a.b: must be slow or fast");

@@ -12,9 +12,9 @@
 namespace falko_slam {
 namespace {
 
-const std::vector<float> kRanges(21, 2.0F);
+const std::vector<float> kWall(21, 2.0F);
 const Pose2 kStart(5.0, -3.0, 1.0);  // map_T_odom where they agree
-const Pose2 kMount(0.1, 0.0, 0.0);
+const Pose2 kAhead(0.1, 0.0, 0.0);
 
 Pose2 odometry(int i) { return {0.1 * i, 0.0, 0.02 * i}; }
 
@@ -22,7 +22,7 @@ Pose2 odometry(int i) { return {0.1 * i, 0.0, 0.02 * i}; }
 std::string raw_log() {
   std::string log;
   for (int i = 0; i < 10; ++i) {
-    log += test::flaser_line(kRanges, odometry(i) * kMount, odometry(i), 100.0 + i);
+    log += test::flaser_line(kWall, odometry(i) * kAhead, odometry(i), 100.0 + i);
   }
   return log;
 }
@@ -32,7 +32,7 @@ std::string corrected_log(const Pose2& error_at_7) {
   for (const int i : {2, 7}) {
     const Pose2 pose = kStart * odometry(i) * (i == 7 ? error_at_7 : Pose2());
     log += test::vertex_line(static_cast<std::size_t>(i), pose);
-    log += test::robotlaser_line(kRanges, pose, pose, 100.0 + i);
+    log += test::robotlaser_line(kWall, pose, pose, 100.0 + i);
   }
   return log;
 }
@@ -56,24 +56,24 @@ TEST_F(DrivenScans, AreThoseBetweenTheFirstAndTheLastCorrectedOne) {
   ASSERT_EQ(scans.size(), 6U);
   for (int i = 0; i < 6; ++i) {
     const DrivenScan& scan = scans[static_cast<std::size_t>(i)];
-    expect_near(scan.odom_T_laser, odometry(i + 2) * kMount, 1e-6);
-    expect_near(scan.map_T_laser, kStart * odometry(i + 2) * kMount, 1e-6);
+    expect_near(scan.odom_T_laser, odometry(i + 2) * kAhead, 1e-6);
+    expect_near(scan.map_T_laser, kStart * odometry(i + 2) * kAhead, 1e-6);
   }
   EXPECT_EQ(report_.scans, 10U);
 }
 
 TEST_F(DrivenScans, SpreadTheErrorOfTheOdometry) {
   const auto scans = load(raw_log(), corrected_log({0.5, 0.0, 0.0}));
-  expect_near(scans[0].map_T_laser, kStart * odometry(2) * kMount, 1e-6);
-  expect_near(scans[5].map_T_laser, kStart * odometry(7) * Pose2(0.5, 0.0, 0.0) * kMount, 1e-6);
+  expect_near(scans[0].map_T_laser, kStart * odometry(2) * kAhead, 1e-6);
+  expect_near(scans[5].map_T_laser, kStart * odometry(7) * Pose2(0.5, 0.0, 0.0) * kAhead, 1e-6);
   // Two of five steps: 0.2 m of 0.5.
-  const Pose2 error = (kStart * odometry(4) * kMount).inverse() * scans[2].map_T_laser;
+  const Pose2 error = (kStart * odometry(4) * kAhead).inverse() * scans[2].map_T_laser;
   EXPECT_NEAR(error.translation().norm(), 0.2, 0.01);
 }
 
 TEST_F(DrivenScans, NeedTwoScansInBothLogs) {
   try {
-    load(raw_log(), "VERTEX2 0 0 0 0\n" + test::robotlaser_line(kRanges, {}, {}, 103.0));
+    load(raw_log(), "VERTEX2 0 0 0 0\n" + test::robotlaser_line(kWall, {}, {}, 103.0));
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()), folder_.file("raw.log") + ": 1 of its scans are in " +

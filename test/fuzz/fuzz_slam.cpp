@@ -14,7 +14,7 @@ namespace falko_slam {
 namespace fuzz {
 namespace {
 
-constexpr int kMostScans = 24;
+constexpr int kMostSlamScans = 24;
 
 const std::vector<SlamScan>& office_drive() {
   static const std::vector<SlamScan> drive = [] {
@@ -85,7 +85,7 @@ void fuzz_slam(const std::string& input) {
   InputNumbers numbers(input);
   FeatureSlam slam;
   std::size_t at = 0;
-  for (int scans = 0; !numbers.ended() && scans < kMostScans;) {
+  for (int scans = 0; !numbers.ended() && scans < kMostSlamScans;) {
     const SlamScan& scan = office_drive()[at % office_drive().size()];
     switch (numbers.below(8)) {
       case 0:

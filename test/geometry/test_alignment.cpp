@@ -33,10 +33,6 @@ double cost(const std::vector<PointPair>& pairs, const Pose2& pose) {
   return sum;
 }
 
-Eigen::Vector3d difference(const Pose2& a, const Pose2& b) {
-  return {a.x() - b.x(), a.y() - b.y(), angle_between(b.theta(), a.theta())};
-}
-
 TEST(Align, FindsTheExactMotion) {
   auto random = test::seeded_random();
   for (const double theta : {0.0, 1e-9, kPi, -kPi + 1e-9, 2.0, -0.5}) {

@@ -25,15 +25,9 @@ Eigen::Matrix<double, N, 1> drawn(const Eigen::Matrix<double, N, N>& covariance,
   return covariance.llt().matrixL() * white;
 }
 
-/// (x, y, theta) of estimate - truth, the angle the shorter way round.
-inline Eigen::Vector3d pose_error(const Pose2& estimate, const Pose2& truth) {
-  return {estimate.x() - truth.x(), estimate.y() - truth.y(),
-          angle_between(truth.theta(), estimate.theta())};
-}
-
 /// Normalised estimation error squared, 3 degrees of freedom.
 inline double nees(const PoseEstimate& estimate, const Pose2& truth) {
-  const Eigen::Vector3d error = pose_error(estimate.pose, truth);
+  const Eigen::Vector3d error = difference(estimate.pose, truth);
   return error.dot(estimate.covariance.ldlt().solve(error));
 }
 

@@ -136,7 +136,7 @@ TEST(LandmarkFilter, IsThePoseFilterWhereAllIsInTheMap) {
     ASSERT_EQ(update.of_map.size(), 12U);
     EXPECT_EQ(update.of_map[3], 3U);
     EXPECT_TRUE(filter.map_T_base().covariance.isApprox(plain.map_T_base().covariance, 1e-9));
-    EXPECT_LT(test::pose_error(filter.map_T_base().pose, plain.map_T_base().pose).norm(), 1e-9);
+    EXPECT_LT(difference(filter.map_T_base().pose, plain.map_T_base().pose).norm(), 1e-9);
   }
   EXPECT_TRUE(filter.landmarks().empty());
 }

@@ -86,7 +86,7 @@ TEST(LandmarkState, CorrectsAsTheWholeMatricesInJosephsForm) {
 
     EXPECT_NEAR(nis, innovation.dot(S.inverse() * innovation), 1e-9);
     EXPECT_LT((state.covariance() - expected).norm(), 1e-10);
-    EXPECT_LT((test::pose_error(state.pose().pose, before.pose) - step.head<3>()).norm(), 1e-9);
+    EXPECT_LT((difference(state.pose().pose, before.pose) - step.head<3>()).norm(), 1e-9);
     EXPECT_LT((state.mean_of(2) - third - step.segment<2>(7)).norm(), 1e-10);
   }
 }

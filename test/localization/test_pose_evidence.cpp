@@ -11,7 +11,7 @@
 namespace falko_slam {
 namespace {
 
-constexpr double kNoise = 0.01;
+constexpr double kSeenDeviation = 0.01;
 
 // Five reflectors that no turn and no shift lays over each other.
 class PoseEvidenceTest : public ::testing::Test {
@@ -37,7 +37,7 @@ class PoseEvidenceTest : public ::testing::Test {
     for (const Landmark& landmark : landmarks_) {
       observations.push_back({ObservationModel::kCartesian,
                               (map_T_base * mount_).inverse() * landmark.position,
-                              kNoise * kNoise * Eigen::Matrix2d::Identity(),
+                              kSeenDeviation * kSeenDeviation * Eigen::Matrix2d::Identity(),
                               {}});
     }
     return observations;

@@ -28,7 +28,7 @@ SavedPose a_pose() {
   return saved;
 }
 
-LandmarkMap a_map() {
+LandmarkMap three_landmarks() {
   LandmarkMap map;
   map.landmarks.resize(2);
   map.landmarks[1].id = 5;
@@ -99,12 +99,12 @@ TEST_F(PoseFile, IsNotTouchedByWhatIsNoPose) {
 }
 
 TEST(MapIdentity, IsThatOfThePlaces) {
-  const std::string identity = identity_of(a_map());
-  LandmarkMap same = a_map();
+  const std::string identity = identity_of(three_landmarks());
+  LandmarkMap same = three_landmarks();
   std::swap(same.landmarks[0], same.landmarks[1]);
   same.landmarks[0].name = "gate";
   same.landmarks[0].covariance.setIdentity();
-  LandmarkMap moved = a_map();
+  LandmarkMap moved = three_landmarks();
   moved.landmarks[1].position.x() += 0.001;
 
   EXPECT_EQ(identity.find("2 landmarks, "), 0U) << identity;

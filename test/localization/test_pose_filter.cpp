@@ -32,7 +32,7 @@ TEST(TricycleMotion, IsThatOfTheThesisWithTheNoiseOfAnArc) {
   const OdometryNoise noise;
   const auto motion = tricycle_motion(tricycle, 400.0, {0.2, 0.3}, noise);
   const Pose2 expected = drive_rk2(tricycle, 400.0, {0.2, 0.3});
-  EXPECT_EQ(test::pose_error(motion.pose, expected).norm(), 0.0);
+  EXPECT_EQ(difference(motion.pose, expected).norm(), 0.0);
   EXPECT_EQ(motion.covariance, arc_covariance(tricycle, 400.0, 0.25, noise));
 }
 
@@ -53,8 +53,8 @@ TEST(PoseFilter, PredictsByTheJacobianOfNumericDifferentiation) {
     const Pose2& u = motion.pose;
     const Pose2 moved(q.x() + by.x(), q.y() + by.y(), q.theta() + by.z());
     const Pose2 further(u.x() + by.x(), u.y() + by.y(), u.theta() + by.z());
-    G.col(i) = test::pose_error(moved * u, q * u) / step;
-    V.col(i) = test::pose_error(q * further, q * u) / step;
+    G.col(i) = difference(moved * u, q * u) / step;
+    V.col(i) = difference(q * further, q * u) / step;
   }
   const Eigen::Matrix3d expected =
       G * start.covariance * G.transpose() + V * motion.covariance * V.transpose();
@@ -92,7 +92,7 @@ TEST(Correct, OneByOneIsAllAtOnce) {
   const Eigen::Vector3d step = information.ldlt().solve(H.transpose() * N.inverse() * innovation);
 
   const PoseCorrection corrected = correct(estimate, pairs);
-  const Eigen::Vector3d moved = test::pose_error(corrected.map_T_base.pose, estimate.pose);
+  const Eigen::Vector3d moved = difference(corrected.map_T_base.pose, estimate.pose);
   EXPECT_LT((moved - step).norm(), 1e-12);
   EXPECT_LT((corrected.map_T_base.covariance - information.inverse()).norm(), 1e-12);
 }

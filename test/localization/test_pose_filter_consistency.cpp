@@ -21,7 +21,7 @@ struct Tally {
   std::size_t used = 0, observed = 0, wrong = 0;
 };
 
-Eigen::Matrix2d noise_of(Model model) {
+Eigen::Matrix2d measured_noise(Model model) {
   return model == Model::kCartesian ? test::diagonal(0.008, 0.012) : test::diagonal(0.01, 0.002);
 }
 
@@ -78,7 +78,7 @@ class Drive {
       const Eigen::Vector2d position =
           real_[i].position + test::drawn<2>(real_[i].covariance, random_);
       observations.push_back(test::noisy(
-          test::seen(model_, truth_, kFrontLaser, position, noise_of(model_)), random_));
+          test::seen(model_, truth_, kFrontLaser, position, measured_noise(model_)), random_));
       if (ids_) observations.back().id = real_[i].id;
       seen_.push_back(i);
     }

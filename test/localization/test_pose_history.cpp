@@ -158,7 +158,7 @@ TEST(PoseHistory, CutsAMotionWhereAScanLiesInBetween) {
   history.add_motion(at(100), motion);
   PoseHistory whole = history_on(map);
   whole.add_motion(at(100), motion);
-  EXPECT_LT(test::pose_error(history.map_T_base().pose, whole.map_T_base().pose).norm(), 1e-12);
+  EXPECT_LT(difference(history.map_T_base().pose, whole.map_T_base().pose).norm(), 1e-12);
   const Eigen::Matrix3d ratio =
       history.map_T_base().covariance.cwiseQuotient(whole.map_T_base().covariance);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(ratio(i, i), 1.0, 0.05);

@@ -162,7 +162,7 @@ TEST(KeyframeFile, TellsOfNumbersWithoutSense) {
   EXPECT_EQ(error_after([](Records& r) {
               r[1].odom_T_laser = {test::kNaN, 0.0, 0.0};
             }),
-            "keyframe 1: x nan makes no sense");
+            "keyframe 1: a pose of nan, 0.000000, 0.000000 makes no sense");
   EXPECT_EQ(error_after([](Records& r) { r[0].scan.ranges[7] = -1.0; }),
             "keyframe 0: beam 7 has range -1.000000, which makes no sense");
   EXPECT_EQ(error_after([](Records& r) { r[2].scan.ranges[7] = test::kNaN; }),
@@ -209,9 +209,11 @@ TEST(KeyframeFile, IsNotWrittenIfItCouldNotBeReadAgain) {
   Records records = some_records();
   records.pop_back();
   records[1].odom_T_laser = {1e12, 0.0, 0.0};
-  EXPECT_EQ(error_of([&] { write_keyframe_file(path, records); }),
-            path + ": could not be read again, not written: keyframe 1: x 1000000000000.000000 " +
-                "makes no sense");
+  EXPECT_EQ(
+      error_of([&] { write_keyframe_file(path, records); }),
+      path +
+          ": could not be read again, not written: keyframe 1: a pose of 1000000000000.000000, " +
+          "0.000000, 0.000000 makes no sense");
   EXPECT_EQ(read_keyframe_file(path).size(), 3U);
 }
 

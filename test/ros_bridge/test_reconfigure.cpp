@@ -9,8 +9,8 @@
 namespace falko_slam {
 namespace {
 
-enum class Color { kRed, kGreen };
-const EnumNames<Color> kColors = {{"red", Color::kRed}, {"green", Color::kGreen}};
+enum class Signal { kRed, kGreen };
+const EnumNames<Signal> kSignals = {{"red", Signal::kRed}, {"green", Signal::kGreen}};
 
 TEST(Reconfigure, EveryTypeComesBackAsItWent) {
   ReconfigureWriter writer;
@@ -18,23 +18,23 @@ TEST(Reconfigure, EveryTypeComesBackAsItWent) {
   writer.field("count", -3);
   writer.field("flag", true);
   writer.field("text", std::string("abc"));
-  writer.choice("color", Color::kGreen, kColors);
+  writer.choice("color", Signal::kGreen, kSignals);
   const ReconfigureReader reader(writer.config());
   double number = 0.0;
   int count = 0;
   bool flag = false;
   std::string text;
-  Color color = Color::kRed;
+  Signal color = Signal::kRed;
   reader.field("number", number);
   reader.field("count", count);
   reader.field("flag", flag);
   reader.field("text", text);
-  reader.choice("color", color, kColors);
+  reader.choice("color", color, kSignals);
   EXPECT_EQ(number, 0.1);
   EXPECT_EQ(count, -3);
   EXPECT_TRUE(flag);
   EXPECT_EQ(text, "abc");
-  EXPECT_EQ(color, Color::kGreen);
+  EXPECT_EQ(color, Signal::kGreen);
 }
 
 TEST(Reconfigure, FalkoParametersComeBackAsTheyWent) {
@@ -52,20 +52,20 @@ TEST(Reconfigure, FalkoParametersComeBackAsTheyWent) {
 TEST(Reconfigure, KeepsWhatTheConfigurationDoesNotHold) {
   const dynamic_reconfigure::Config nothing;
   double number = 1.25;
-  Color color = Color::kGreen;
+  Signal color = Signal::kGreen;
   const ReconfigureReader reader(nothing);
   reader.field("number", number);
-  reader.choice("color", color, kColors);
+  reader.choice("color", color, kSignals);
   EXPECT_EQ(number, 1.25);
-  EXPECT_EQ(color, Color::kGreen);
+  EXPECT_EQ(color, Signal::kGreen);
 }
 
 TEST(Reconfigure, RefusesAChoiceThatThereIsNot) {
   ReconfigureWriter writer;
   writer.field("color", std::string("pink"));
-  Color color = Color::kRed;
+  Signal color = Signal::kRed;
   try {
-    ReconfigureReader(writer.config()).choice("color", color, kColors);
+    ReconfigureReader(writer.config()).choice("color", color, kSignals);
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "color = pink: must be red or green");

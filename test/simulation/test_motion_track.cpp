@@ -12,7 +12,7 @@ namespace {
 using test::kBegin;
 constexpr double kRounding = 1e-12;
 
-double difference(const Pose2& a, const Pose2& b) { return (a.inverse() * b).log().norm(); }
+double off_by(const Pose2& a, const Pose2& b) { return (a.inverse() * b).log().norm(); }
 
 TEST(MotionTrack, IsTheArcAtEveryInstant) {
   const Pose2 start(1.0, 2.0, 3.0);
@@ -21,15 +21,15 @@ TEST(MotionTrack, IsTheArcAtEveryInstant) {
 
   for (const double seconds : {0.0, 0.0003, 0.001, 0.4567, 0.9999, 1.0}) {
     const Pose2 expected = start * Pose2::exp(seconds * tangent);
-    EXPECT_LT(difference(track.at(kBegin + from_seconds(seconds)), expected), 1e-9) << seconds;
+    EXPECT_LT(off_by(track.at(kBegin + from_seconds(seconds)), expected), 1e-9) << seconds;
   }
 }
 
 TEST(MotionTrack, StaysAtItsEnds) {
   const MotionTrack track = test::track_of({1.0, 2.0, 3.0}, {1.0, 0.0, 0.2});
 
-  EXPECT_LT(difference(track.at(kBegin - from_seconds(5.0)), {1.0, 2.0, 3.0}), kRounding);
-  EXPECT_LT(difference(track.at(kBegin + from_seconds(5.0)), track.last()), kRounding);
+  EXPECT_LT(off_by(track.at(kBegin - from_seconds(5.0)), {1.0, 2.0, 3.0}), kRounding);
+  EXPECT_LT(off_by(track.at(kBegin + from_seconds(5.0)), track.last()), kRounding);
 }
 
 TEST(MotionTrack, IsOnePoseBeforeItMoves) {
@@ -37,7 +37,7 @@ TEST(MotionTrack, IsOnePoseBeforeItMoves) {
 
   EXPECT_EQ(track.begin(), kBegin);
   EXPECT_EQ(track.end(), kBegin);
-  EXPECT_LT(difference(track.at(kBegin), {1.0, 2.0, 3.0}), kRounding);
+  EXPECT_LT(off_by(track.at(kBegin), {1.0, 2.0, 3.0}), kRounding);
 }
 
 TEST(MotionTrack, ForgetsOnlyWhatIsBefore) {
@@ -49,7 +49,7 @@ TEST(MotionTrack, ForgetsOnlyWhatIsBefore) {
 
   EXPECT_LE(track.begin(), kept);
   EXPECT_GT(track.begin(), kBegin);
-  EXPECT_LT(difference(track.at(kept), expected), kRounding);
+  EXPECT_LT(off_by(track.at(kept), expected), kRounding);
 }
 
 }  // namespace

@@ -31,11 +31,6 @@ Drive random_drive(std::mt19937_64& random) {
           uniform(random, -1.5, 1.5)};
 }
 
-// Of the components, the heading the shorter way.
-Eigen::Vector3d difference(const Pose2& b, const Pose2& a) {
-  return {b.x() - a.x(), b.y() - a.y(), angle_between(a.theta(), b.theta())};
-}
-
 // The velocities (2.2), (2.3) summed up in steps of the midpoint rule, the steering changing
 // evenly.
 Pose2 integrate(const Drive& drive, double steering_after, int steps) {

@@ -7,8 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "falko_slam/sensor/laser_scan.hpp"
-#include "falko_slam/sensor/surface_step.hpp"
+#include "falko_slam/sensor/unrolled_scan.hpp"
 
 namespace falko_slam {
 
@@ -36,8 +35,7 @@ struct WallPiece {
   std::size_t part = 0;                              ///< number of the part of a wall, over all
 };
 
-/// Beams that lie on one straight line. They are counted from the scan's break on: across the seam
-/// of a closed scan they go on.
+/// Beams that lie on one straight line, counted as in UnrolledScan.
 struct StraightWall {
   std::size_t first = 0, last = 0;
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< towards the laser
@@ -59,23 +57,21 @@ class WallScan {
   /// The beam that looks into a direction [rad], counted as in StraightWall.
   std::optional<std::size_t> beam_at(double bearing) const;
   std::optional<std::size_t> wall_at(std::size_t beam) const;
-  double angle_increment() const { return angle_increment_; }     ///< [rad]
-  double range(std::size_t beam) const { return ranges_[beam]; }  ///< 0: not valid [m]
+  double angle_increment() const { return angle_increment_; }          ///< [rad]
+  double range(std::size_t beam) const { return beams_.range(beam); }  ///< 0: not valid [m]
   /// Of the beams from first to last: their mean, with its variance across their wall.
   WallPiece piece(std::size_t wall, std::size_t first, std::size_t last) const;
   double length_of(const WallPiece& piece) const {  ///< from its first beam to its last [m]
-    return (points_[piece.last] - points_[piece.first]).norm();
+    return (beams_.point(piece.last) - beams_.point(piece.first)).norm();
   }
 
  private:
   void split(std::size_t first, std::size_t last, double noise, const WallScanParams& params);
   void add_wall(std::size_t first, std::size_t last, const WallScanParams& params);
 
-  std::size_t size_ = 0, break_ = 0;
+  UnrolledScan beams_;
   double angle_min_ = 0.0, angle_increment_ = 0.0;
   bool closed_ = false;
-  std::vector<Eigen::Vector2d> points_;
-  std::vector<double> ranges_;
   std::vector<std::size_t> wall_of_;
   std::vector<StraightWall> walls_;
   std::vector<WallPiece> pieces_;

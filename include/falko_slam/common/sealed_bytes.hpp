@@ -24,6 +24,8 @@ std::string seal(ByteWriter&& out);
 /// The content of sealed bytes, which are borrowed. Throws std::runtime_error with what is wrong:
 /// letters, length, version or checksum.
 ByteReader open_sealed(const std::string& bytes, const FileKind& kind);
+/// Throws std::runtime_error with what is wrong unless the condition holds.
+void require_sound(bool condition, const std::string& wrong);
 /// Throws std::runtime_error if not all of the content was read.
 void require_end(const ByteReader& in);
 

@@ -58,6 +58,9 @@ class YamlValue {
   std::string path_;
 };
 
+/// A text in double quotes, as YAML reads it back; a control character becomes a blank.
+std::string quoted(const std::string& text);
+
 template <class Enum>
 Enum YamlValue::choice(const EnumNames<Enum>& names) const {
   const auto value = value_of(plain_text(), names);

@@ -5,11 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "falko_slam/calibration/vehicle_calibration.hpp"
+#include "falko_slam/evaluation/vehicle_knowledge.hpp"
 #include "falko_slam/geometry/pose_estimate.hpp"
 #include "falko_slam/geometry/trajectory.hpp"
 #include "falko_slam/sensor/laser_scan.hpp"
@@ -17,20 +16,6 @@
 #include "falko_slam/vehicle/odometry_noise.hpp"
 
 namespace falko_slam {
-
-/// How far a vehicle's parameters are from the true ones: standard deviations. Default: those of
-/// calibrations of the thesis' vehicles (doc/results.md, Calibration).
-struct CalibrationSpread {
-  double steer_offset = 1.745e-4;   ///< of each direction [rad]
-  double driving_scale = 4e-8;      ///< [m/tick]
-  double laser_x = 5e-4;            ///< [m]
-  double laser_y = 6e-4;            ///< [m]
-  double laser_heading = 1.745e-4;  ///< [rad]
-};
-
-/// The true parameters, each with an error of its own.
-VehicleCalibration drawn_calibration(const VehicleModel& truth, const CalibrationSpread& spread,
-                                     std::mt19937_64& random);
 
 /// What came in, in the order in which a vehicle sends it.
 struct DriveInputEvent {

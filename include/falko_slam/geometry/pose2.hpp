@@ -46,6 +46,9 @@ class Pose2 {
   double sine_ = 0.0;
 };
 
+/// to - from in (x, y, theta), the angle the shorter way round.
+Eigen::Vector3d difference(const Pose2& to, const Pose2& from);
+
 std::ostream& operator<<(std::ostream& out, const Pose2& pose);
 
 }  // namespace falko_slam
