@@ -42,7 +42,8 @@ Eigen::Vector2d seen_from(const Eigen::Vector2d& place, const Reflector& reflect
 PoseEstimate measured_motion(const Pose2& start_T_end, const Reflectors& points,
                              const SimulatedCalibrationNoise& noise, std::mt19937_64& random) {
   const double deviation = noise.detection / std::sqrt(noise.scans_at_rest);
-  std::normal_distribution<double> error(0.0, deviation);
+  std::normal_distribution<double> unit;
+  const auto error = [&](std::mt19937_64& generator) { return deviation * unit(generator); };
   const Pose2 end_T_start = start_T_end.inverse();
   std::vector<PointPair> pairs;
   for (const Reflector& reflector : points) {

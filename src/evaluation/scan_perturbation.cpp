@@ -30,9 +30,11 @@ void append(LaserScan& scan, double range, BeamStatus status) {
 
 LaserScan with_noise(const LaserScan& scan, double standard_deviation, std::mt19937_64& random) {
   LaserScan noisy = scan;
-  std::normal_distribution<double> noise(0.0, standard_deviation);
+  std::normal_distribution<double> noise;
   for (std::size_t i = 0; i < noisy.size(); ++i) {
-    if (noisy.valid(i)) noisy.ranges[i] = std::max(kMinRange, noisy.ranges[i] + noise(random));
+    if (noisy.valid(i)) {
+      noisy.ranges[i] = std::max(kMinRange, noisy.ranges[i] + standard_deviation * noise(random));
+    }
   }
   return noisy;
 }

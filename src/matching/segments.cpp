@@ -30,6 +30,11 @@ void sort_by_length(std::vector<Segment>& segments) {
   double longest = 0.0;
   for (const Segment& segment : segments) longest = std::max(longest, segment.length);
   const double scale = static_cast<double>(segments.size() - 1) / longest;
+  // Points at one place, or farther apart than numbers go.
+  if (!(scale > 0.0 && std::isfinite(scale))) {
+    std::sort(segments.begin(), segments.end(), before);
+    return;
+  }
   const auto drawer_of = [&](const Segment& segment) {
     return static_cast<std::size_t>(segment.length * scale);
   };

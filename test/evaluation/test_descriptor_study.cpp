@@ -87,9 +87,8 @@ TEST_F(StudyDescriptors, DescriptorsThatMisleadAreAtTheLevelOfChance) {
 TEST_F(StudyDescriptors, LeavesOutPairsOfOtherOverlaps) {
   for (const double overlap : {0.45, 0.95}) {
     cases_.viewpoints[0].overlap = overlap;
-    for (const auto& curve : study(telling)[0].curves) {
-      EXPECT_TRUE(curve.points.empty()) << overlap;
-    }
+    const auto curves = study(telling);
+    for (const auto& curve : curves[0].curves) EXPECT_TRUE(curve.points.empty()) << overlap;
   }
 }
 

@@ -18,7 +18,7 @@ inline double uniform(std::mt19937_64& random, double min, double max) {
 }
 
 inline double normal(std::mt19937_64& random, double standard_deviation) {
-  return std::normal_distribution<double>(0.0, standard_deviation)(random);
+  return standard_deviation * std::normal_distribution<double>()(random);
 }
 
 }  // namespace test
