@@ -11,5 +11,5 @@ configure() {
   arguments=(-DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3)
   ! command -v ccache >/dev/null || arguments+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   cmake -S . -B "$folder" "${arguments[@]}" "$@" >"$log" 2>&1 || { cat "$log"; return 1; }
-  rm "$log"
+  rm -f "$log"
 }

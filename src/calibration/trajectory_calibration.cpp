@@ -80,8 +80,10 @@ VehicleCalibration with_nominal_lengths(const StretchSet& set,
   return fit(set, free, params.nominal, params.noise, FitLoss::kNone).calibration;
 }
 
+// With its steering reversed a vehicle that drives backwards fits reversed ticks exactly.
 bool is_vehicle(const VehicleCalibration& calibration) {
-  return calibration.tricycle.wheelbase > 0.0 && calibration.tricycle.driving_scale > 0.0;
+  return calibration.tricycle.wheelbase > 0.0 && calibration.tricycle.driving_scale > 0.0 &&
+         calibration.steer_gain > 0.0;
 }
 
 }  // namespace

@@ -49,6 +49,12 @@ TEST(PathSegment, IsRefusedWithoutTicks) {
   EXPECT_EQ(refusal(segments), "segments[5].ticks = 0: the driven wheel did not turn");
 }
 
+TEST(PathSegment, IsRefusedIfTheWheelIsTurnedAllTheWay) {
+  auto segments = sound();
+  segments[1].steering = -3.2;
+  EXPECT_EQ(refusal(segments), "segments[2].steering = -3.2: must be in (-pi, pi)");
+}
+
 TEST(PathSegment, IsRefusedIfTheCovarianceIsNone) {
   auto segments = sound();
   segments[0].start_T_end.covariance.setZero();

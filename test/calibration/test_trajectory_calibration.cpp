@@ -112,6 +112,18 @@ TEST(TrajectoryCalibration, GivesNoNumberForDrivesThatTellTooLittle) {
   EXPECT_TRUE(refused(drive(straight, {0.0, 0.4})));  // one centre of rotation
 }
 
+TEST(TrajectoryCalibration, GivesNoNumberForReversedTicks) {
+  auto records = drive(driven_vehicle(), {});
+  for (DriveRecord& record : records) {
+    record.encoders.drive_ticks = 0U - record.encoders.drive_ticks;
+  }
+
+  const auto result = calibrate_trajectory(records, nominal_params());
+
+  EXPECT_EQ(result.verdict, CalibrationVerdict::kContradictory);
+  EXPECT_FALSE(result.estimate);
+}
+
 TEST(TrajectoryCalibration, RefusesPosesThatAreNotFinite) {
   auto records = drive(driven_vehicle(), {});
   records[7].world_T_laser = Pose2(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);

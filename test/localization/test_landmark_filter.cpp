@@ -374,6 +374,9 @@ TEST(LandmarkFilterParams, AreValidatedWithNameAndValue) {
   params = {};
   params.separation = -1.0;
   EXPECT_THROW(LandmarkFilter(params, kFirst), std::invalid_argument);
+  params = {};
+  params.base_T_laser = Pose2(0.0, std::nan(""), 0.0);
+  EXPECT_THROW(LandmarkFilter(params, kFirst), std::invalid_argument);
   EXPECT_THROW(LandmarkFilter({}, {{}, -kFirst.covariance}), std::invalid_argument);
 }
 

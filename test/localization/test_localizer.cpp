@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "falko_slam/localization/localization_status.hpp"
@@ -278,6 +279,46 @@ TEST(Localizer, IsLostWithoutBothSensors) {
 
   EXPECT_NE(localizer.check(drive.at(7.0)).status, LocalizationStatus::kOk);
   EXPECT_FALSE(localizer.check(drive.at(20.0)).map_T_base);
+}
+
+TEST(Localizer, HasNoPoseWhereNoneIsSetNorSearchedFor) {
+  const LocalizerDrive& drive = LocalizerDrive::shared();
+  LocalizerParams params;
+  params.search_alone = false;
+  Localizer localizer(params, drive.map());
+
+  drive.play(localizer, 0.0, 2.0);
+
+  EXPECT_EQ(localizer.state().status, LocalizationStatus::kLost);
+  EXPECT_EQ(localizer.state().reason, LocalizationReason::kNoPose);
+  EXPECT_FALSE(localizer.state().map_T_base);
+  EXPECT_GT(localizer.state().seen.size(), 0U);
+}
+
+TEST(Localizer, TakesAPoseOfALaterStampBackToTheLastMotion) {
+  const LocalizerDrive& drive = LocalizerDrive::shared();
+  Localizer localizer = drive.localizer(drive.map());
+  drive.play(localizer, 5.0, 7.0);
+
+  localizer.set_pose(drive.at(7.1),
+                     PoseEstimate{drive.truth(drive.at(7.1)), pose_covariance(0.02, 0.005)});
+
+  EXPECT_LE(localizer.state().stamp, drive.at(7.0));
+  EXPECT_LT(drive.error(localizer.state()), 0.02);
+}
+
+TEST(Localizer, LeavesOutAScanOlderThanItsHistory) {
+  const LocalizerDrive& drive = LocalizerDrive::shared();
+  Localizer localizer = drive.localizer_at_start();
+  std::optional<LaserScan> first;
+  drive.play(localizer, 0.0, 10.0, {}, [&](DriveInputEvent& event) {
+    if (event.scan && !first) first = *event.scan;
+    return true;
+  });
+  const Pose2 before = localizer.state().map_T_base->pose;
+
+  EXPECT_EQ(localizer.add_scan(*first).input, InputVerdict::kTooOld);
+  EXPECT_EQ(localizer.state().map_T_base->pose.translation(), before.translation());
 }
 
 TEST(Localizer, RefusesParametersThatAreNone) {

@@ -6,6 +6,7 @@
 
 #include <clocale>
 #include <cmath>
+#include <limits>
 #include <locale>
 #include <set>
 #include <stdexcept>
@@ -165,9 +166,17 @@ TEST_F(MapFile, ErrorsNameTheImageAndWhatIsWrong) {
   EXPECT_EQ(missing.find(folder_.file("none.pgm") + ": cannot be read"), 0U) << missing;
 }
 
+TEST_F(MapFile, ErrorsNameTheGrayValueThatIsNoPercentage) {
+  const std::string error =
+      error_of(description("mode: raw\n"), "P5 1 1 255\n" + std::string("\x65"));
+  EXPECT_NE(error.find("holds the value 101 in raw mode"), std::string::npos) << error;
+}
+
 TEST_F(MapFile, RefusesWhatIsNoMapOrNoName) {
   GridMap wrong = kMap;
   wrong.width = 4;
+  EXPECT_THROW(write_map(folder_.file("map.yaml"), wrong), std::invalid_argument);
+  wrong.width = std::numeric_limits<std::size_t>::max() / 2;
   EXPECT_THROW(write_map(folder_.file("map.yaml"), wrong), std::invalid_argument);
   wrong = kMap;
   wrong.cells[0] = 101;

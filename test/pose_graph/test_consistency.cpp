@@ -200,6 +200,7 @@ TEST(ClosureSelection, NamesWhatItCannotTake) {
   ClosureSelection selection;
   selection.add_step({1}, {});
   EXPECT_THROW(selection.add_step({1}, {}), std::invalid_argument);
+  EXPECT_THROW(selection.add_step({2}, {Pose2(std::nan(""), 0.0, 0.0), {}}), std::invalid_argument);
   EXPECT_THROW(selection.add_closure({{1}, {2}, Pose2()}), std::invalid_argument);
   PoseGraph graph;
   graph.nodes = {{{0}, Pose2()}, {{1}, Pose2()}};

@@ -228,6 +228,9 @@ TEST(PoseGraphOptimizer, NamesWhatItCannotTake) {
 
   EXPECT_THROW(optimizer.add_node({{1}, Pose2()}), std::invalid_argument);
   EXPECT_THROW(optimizer.add_node({{3}, Pose2(nan, 0.0, 0.0)}), std::invalid_argument);
+  EXPECT_NE(
+      complaint({{1}, {2}, Pose2(nan, 0.0, 0.0)}).find("nodes 1 and 2: the pose is not finite"),
+      std::string::npos);
   EXPECT_THROW(optimizer.pose({9}), std::invalid_argument);
   EXPECT_THROW(optimizer.set_in_force(0, true), std::invalid_argument);
   EXPECT_EQ(complaint({{1}, {9}, Pose2()}), "node 9: is not in the graph");
