@@ -74,6 +74,16 @@ std::vector<PathSegment> connected(const std::vector<MendedSegment>& mended,
   return segments;
 }
 
+// Arcs would be no remedy where none of those that were driven can be used.
+void say_that_none_counts(const std::vector<RecordedSegment>& recorded, CalibrationResult& result) {
+  result.remarks = {
+      {CalibrationVerdict::kUnobservable,
+       {},
+       "none of " + std::to_string(recorded.size()) +
+           " segments can be used, the first one because of this: " + recorded.front().complaint,
+       "check what is believed of the laser's place, wheelbase and driving scale, in m and rad"}};
+}
+
 }  // namespace
 
 RecordedCalibration calibrate_recorded(const std::vector<RecordedSegment>& recorded,
@@ -100,6 +110,9 @@ RecordedCalibration calibrate_recorded(const std::vector<RecordedSegment>& recor
   if (!scan_motions.empty()) add_lasting_noise(scan_motions, with_lasting.noise);
   calibration.result =
       calibrate(connected(segments, calibration.recorded, lasting_noise), with_lasting);
+  if (calibration.recorded.empty() && !recorded.empty()) {
+    say_that_none_counts(recorded, calibration.result);
+  }
   return calibration;
 }
 

@@ -77,6 +77,7 @@ std::vector<ReflectorMotionEstimator::Pair> ReflectorMotionEstimator::fit(
   std::vector<Pair> pairs = associate(points, start_T_laser_);
   for (int round = 0; round < kRounds && pairs.size() >= 2; ++round) {
     std::vector<PointPair> seen_twice;
+    seen_twice.reserve(pairs.size());
     for (const Pair& pair : pairs) {
       seen_twice.push_back({landmarks_[pair.landmark].in_start, points[pair.point]});
     }

@@ -97,7 +97,7 @@ void ScanMotionEstimator::begin() {
 WallScan ScanMotionEstimator::walls_of(const MeanScan& mean) const {
   const double scans = std::max(1.0, static_cast<double>(mean.scans));
   const double noise = std::max({params_.range_noise, mean.range_noise, start_.range_noise});
-  return WallScan(mean.scan, noise / std::sqrt(scans), params_.walls);
+  return {mean.scan, noise / std::sqrt(scans), params_.walls};
 }
 
 void ScanMotionEstimator::move(const Pose2& step) {

@@ -42,7 +42,7 @@ auto motion_of(Estimator estimator, const Way& way, const std::vector<Sight>& en
     add_at_end(estimator, sight, last.inverse() * sight.odom_T_laser);
     last = sight.odom_T_laser;
   }
-  const auto motion = estimator.result();
+  auto motion = estimator.result();
   result.lost_scans = estimator.lost_scans();
   if (!motion) {
     result.complaint = estimator.complaint();

@@ -79,7 +79,7 @@ Eigen::Matrix3d honest(const Equations& sum) {
                                                               inverse.transpose());
   const Eigen::Vector3d kept = shares.eigenvalues().unaryExpr(
       [](double share) { return share < kFeignedShare ? 1.0 - share : 0.0; });
-  const Eigen::Matrix3d vectors = shares.eigenvectors();
+  const Eigen::Matrix3d& vectors = shares.eigenvectors();
   return lower * vectors * kept.asDiagonal() * vectors.transpose() * lower.transpose();
 }
 

@@ -26,6 +26,7 @@ struct CalibrateOptions {
   ScanNormalizerParams scanner;
   CalibratorParams calibrator;
   std::vector<double> laser;
+  std::string defaults;  // of the vehicle: options that nobody has given
 };
 
 bool ends_in_bag(const std::string& path) {
@@ -56,8 +57,19 @@ void take_nominal(CalibrateOptions& options) {
   options.calibrator.wheelbase = options.recorder.tricycle.wheelbase;
 }
 
+// A wheelbase is not found unless asked for: whoever forgets it should see which one counts.
+void print_nominal(const CalibrateOptions& options) {
+  const SegmentRecorderParams& nominal = options.recorder;
+  std::cout << "believed of the vehicle: wheelbase " << nominal.tricycle.wheelbase
+            << " m, driving scale " << nominal.tricycle.driving_scale << " m, laser "
+            << nominal.base_T_laser;
+  if (!options.defaults.empty()) std::cout << "; by default: " << options.defaults;
+  std::cout << "\n";
+}
+
 void calibrate_bag(CalibrateOptions options) {
   take_nominal(options);
+  print_nominal(options);
   if (options.egomotion == "auto") {
     options.recorder.egomotion =
         egomotion_in(options.recording, options.topics, options.recorder.reflectors.min_reflectors);
@@ -104,6 +116,15 @@ void run(CalibrateOptions options) {
   } else {
     throw std::runtime_error(options.recording + ": neither a bag nor a tricycle's log");
   }
+}
+
+std::string list_defaults(const CLI::App& verb) {
+  std::string list;
+  if (verb.count("--start") > 0) return list;
+  for (const char* name : {"--wheelbase", "--driving-scale", "--laser"}) {
+    if (verb.count(name) == 0) list += std::string(list.empty() ? "" : ", ") + name;
+  }
+  return list;
 }
 
 void add_nominal_options(CLI::App* verb, CalibrateOptions& options) {
@@ -162,7 +183,10 @@ void add_calibrate(CLI::App& app) {
   verb->add_option("--steer-noise", options->calibrator.noise.steer,
                    "standard deviation of a segment's steering error [rad]")
       ->capture_default_str();
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] {
+    options->defaults = list_defaults(*verb);
+    run(*options);
+  });
 }
 
 }  // namespace cli

@@ -37,16 +37,15 @@ inline CLI::Validator number_in(double min, double max) {
     const bool good = in >> value && in.eof() && value >= min && value <= max;
     return good ? std::string() : text + ": must be a number " + wanted;
   };
-  return CLI::Validator(check, range.str());
+  return {check, range.str()};
 }
 
 /// A check of --json where the tables already go to the console.
 inline CLI::Validator a_file() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        return text == "-" ? std::string("must be a file: the tables go to the console") : "";
-      },
-      "FILE");
+  const auto check = [](const std::string& text) {
+    return text == "-" ? std::string("must be a file: the tables go to the console") : "";
+  };
+  return {check, "FILE"};
 }
 
 }  // namespace cli

@@ -102,7 +102,7 @@ CLI::Validator loop_methods() {
     }
     return "";
   };
-  return CLI::Validator(check, "NAME,...");
+  return {check, "NAME,..."};
 }
 
 void add_loops(CLI::App& evaluate) {

@@ -120,6 +120,9 @@ nlohmann::json json_of(const FeatureMapReport& report, std::size_t without_pose)
 }  // namespace
 
 void build_map(const MapBuildOptions& options) {
+  if (is_imk(options.out)) {
+    throw std::runtime_error(options.out + ": a layout holds no corners, a .yaml does");
+  }
   LandmarkMap known;
   if (!options.reflectors.empty()) known = read_map_of_any_format(options.reflectors);
   CornerMapping mapping(options);

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "console.hpp"
-#include "falko_slam/localization/imk_file.hpp"
 #include "falko_slam/localization/map_format.hpp"
 
 namespace falko_slam {
@@ -136,12 +135,7 @@ void convert_map(const std::string& in, const std::string& out, bool replace) {
     throw std::runtime_error(out + ": exists already");
   }
   const LandmarkMap map = read_map_of_any_format(in);
-  std::size_t features = 0;
-  if (is_imk(out)) {
-    features = write_imk(out, map);
-  } else {
-    write_landmark_map(out, map);
-  }
+  const std::size_t features = write_map_of_any_format(out, map);
   std::printf("wrote %s: %zu landmarks\n", out.c_str(), map.landmarks.size() - features);
   if (is_imk(out) && !is_imk(in)) say_what_imk_loses(map, features);
   if (is_imk(in) && !is_imk(out)) {

@@ -12,6 +12,7 @@
 #include "falko_slam/evaluation/surveyed_map.hpp"
 #include "falko_slam/evaluation/vehicle_knowledge.hpp"
 #include "falko_slam/geometry/trajectory_file.hpp"
+#include "falko_slam/localization/map_format.hpp"
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
 
@@ -45,7 +46,8 @@ void simulate(const SimulateOptions& options) {
   const Scenario scenario = read_scenario(options.scenario);
   if (!options.map.empty()) {
     std::mt19937_64 random(options.params.seed);
-    write_landmark_map(options.map, surveyed_map(scenario.world, options.survey_noise, random));
+    write_map_of_any_format(options.map,
+                            surveyed_map(scenario.world, options.survey_noise, random));
   }
   if (!options.calibration.empty()) {
     write_calibration(options.calibration, without_errors(scenario.vehicle));
@@ -76,7 +78,7 @@ void add_simulate(CLI::App& app) {
   verb->add_option("--truth", options->truth,
                    "file for the true trajectory, as `evaluate slam --truth` reads it");
   verb->add_option("--map-out", options->map,
-                   "file for the world's reflectors, as `localize --map` reads it");
+                   "file for the world's reflectors, .yaml or .imk, as `localize --map` reads it");
   verb->add_option("--calibration-out", options->calibration,
                    "file for the vehicle's true parameters, as `localize --calibration` reads it");
   verb->add_option("--survey-noise", options->survey_noise,

@@ -3,7 +3,7 @@
 #include "falko_slam/common/whole_file.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): kill is not of the standard
 #include <unistd.h>
 
 #include <cerrno>

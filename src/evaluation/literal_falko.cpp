@@ -109,6 +109,7 @@ std::vector<Keypoint> literal_falko(const LaserScan& scan, const LiteralFalkoPar
     if (!suppressed) kept.push_back(candidate);
   }
   std::vector<Keypoint> keypoints;
+  keypoints.reserve(kept.size());
   for (const auto& candidate : kept) keypoints.push_back(candidate.keypoint);
   std::sort(keypoints.begin(), keypoints.end(),
             [](const auto& a, const auto& b) { return a.beam < b.beam; });

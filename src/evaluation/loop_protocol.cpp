@@ -98,6 +98,7 @@ std::vector<LoopOperatingPoint> loop_curve(const std::vector<LoopAnswer>& answer
   std::sort(scores.begin(), scores.end(), std::greater<>());
   scores.erase(std::unique(scores.begin(), scores.end()), scores.end());
   std::vector<LoopOperatingPoint> curve;
+  curve.reserve(scores.size());
   for (const double score : scores) curve.push_back(operating_point(answers, score));
   return curve;
 }

@@ -40,6 +40,7 @@ void study_viewpoints(const std::vector<PosedScan>& scans, const RepeatabilityCa
                       const RepeatabilityParams& params, const KeypointFunction& detect,
                       RepeatabilityResult& result) {
   std::vector<std::vector<Eigen::Vector2d>> in_map;
+  in_map.reserve(scans.size());
   for (const PosedScan& posed : scans) {
     in_map.push_back(positions(detect(posed.scan), posed.map_T_laser));
   }

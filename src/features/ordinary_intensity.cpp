@@ -31,7 +31,7 @@ constexpr int kLowestIntensity = -10, kIntensityBits = 3;
 
 // The upper end of a cell of intensities.
 float intensity_above(std::size_t cell) {
-  const std::uint32_t first =
+  const auto first =
       static_cast<std::uint32_t>((kLowestIntensity + kExponentBias) << kIntensityBits);
   const std::uint32_t pattern = (first + static_cast<std::uint32_t>(cell) + 1U)
                                 << (kMantissaBits - kIntensityBits);

@@ -21,4 +21,10 @@ LandmarkMap read_map_of_any_format(const std::string& path) {
   return is_imk(path) ? read_imk(path) : read_landmark_map(path);
 }
 
+std::size_t write_map_of_any_format(const std::string& path, const LandmarkMap& map) {
+  if (is_imk(path)) return write_imk(path, map);
+  write_landmark_map(path, map);
+  return 0;
+}
+
 }  // namespace falko_slam

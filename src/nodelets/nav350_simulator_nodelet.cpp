@@ -44,6 +44,7 @@ void Nav350SimulatorNodelet::onInit() {
         node.subscribe(topics::kDriveCommand, kQueue, &Nav350SimulatorNodelet::on_command, this);
     command_watch_ = std::make_unique<TopicWatch>(
         heard_topic<DriveCommand>(drive_commands_.getTopic()), ros::SteadyTime::now().toSec());
+    command_watch_->keep_from_console();
   }
   reset_ = getPrivateNodeHandle().advertiseService(topics::kReset,
                                                    &Nav350SimulatorNodelet::on_reset, this);

@@ -99,6 +99,7 @@ sensor_msgs::PointCloud2 to_cloud(const FeatureArray& features) {
   modifier.setPointCloud2Fields(4, "x", 1, kFloat, "y", 1, kFloat, "z", 1, kFloat, "intensity", 1,
                                 kFloat);
   modifier.resize(features.features.size());
+  if (features.features.empty()) return cloud;  // iterators look at the first byte
   sensor_msgs::PointCloud2Iterator<float> x(cloud, "x"), y(cloud, "y"), z(cloud, "z"),
       intensity(cloud, "intensity");
   for (const auto& feature : features.features) {

@@ -3,6 +3,7 @@
 #include "falko_slam/ros_bridge/topic_watch.hpp"
 
 #include <XmlRpcValue.h>
+#include <ros/console.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
 
@@ -89,6 +90,8 @@ void TopicWatch::heard(double now) {
   last_ = now;
   answer_.reset();
   outdated_ = question_.valid();
+  if (told_) ROS_INFO_STREAM("messages come on " << topic_.name);
+  told_ = false;
 }
 
 void TopicWatch::ask() {
@@ -101,10 +104,17 @@ void TopicWatch::ask() {
   question_ = std::async(std::launch::async, ask_);
 }
 
+void TopicWatch::tell(double seconds) {
+  if (told_ || !to_console_ || !answer_ || cause() == SilenceCause::kNoMessage) return;
+  ROS_WARN_STREAM(describe(seconds));
+  told_ = true;
+}
+
 std::string TopicWatch::trouble(double now) {
   const double seconds = silence(now);
   // A little early, so that the answer is there when it is needed.
   if (seconds > 0.5 * timeout_) ask();
+  if (seconds > kPatience) tell(seconds);
   return seconds > timeout_ ? describe(seconds) : "";
 }
 

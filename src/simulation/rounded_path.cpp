@@ -37,6 +37,7 @@ void RoundedPath::append(const Eigen::Vector2d& point) {
   const Eigen::Vector2d from = points_.back();
   const double begin = way_.back();
   const double length = (point - from).norm();
+  if (begin + length == begin) return;  // as near as numbers tell apart
   const int pieces = static_cast<int>(std::ceil(length / kSpacing));
   for (int i = 1; i <= pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;

@@ -6,6 +6,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 import pytest
 import roslaunch.rlutil
@@ -123,6 +124,12 @@ def test_the_core_links_no_ros_library():
 
 def test_linked_ros_libraries_are_recognised():
     assert "libroscpp.so" in "".join(linked_ros_libraries("libfalko_slam_ros_bridge.so"))
+
+
+def test_python_imports_the_messages():
+    folder = next(LIBRARIES.glob("python3*/*-packages"))
+    environment = {**os.environ, "PYTHONPATH": f"{folder}:{os.environ.get('PYTHONPATH', '')}"}
+    subprocess.run([sys.executable, "-c", "import falko_slam.msg, falko_slam.srv"], check=True, env=environment)
 
 
 def test_every_file_names_its_licence():

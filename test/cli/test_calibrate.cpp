@@ -106,6 +106,20 @@ drive:
   EXPECT_FALSE(std::ifstream(file).is_open());
 }
 
+TEST_F(CalibrateCommand, SuspectsWhatIsBelievedWhereNoSegmentCanBeUsed) {
+  const auto millimetres = falko({"calibrate", bag_, "--laser", "390", "0", "0"});
+  EXPECT_NE(millimetres.exit_code, 0);
+  EXPECT_NE(millimetres.output.find("segments can be used"), std::string::npos);
+  EXPECT_NE(millimetres.output.find("check what is believed of the laser's place"),
+            std::string::npos)
+      << millimetres.output;
+}
+
+TEST_F(CalibrateCommand, NamesTheDefaultsItBelieves) {
+  EXPECT_NE(calibrate(bag_).output.find("by default: --wheelbase\n"), std::string::npos);
+  EXPECT_EQ(calibrate(bag_, {"--wheelbase", "1.358"}).output.find("by default"), std::string::npos);
+}
+
 TEST_F(CalibrateCommand, ListsTheTopicsOfABagThatHasNoDrive) {
   {
     BagFile bag(folder_.file("words.bag"), false);

@@ -87,7 +87,8 @@ TEST_F(EvaluateLoopsCommand, WritesTimesOfThePartsThatAMethodHas) {
   const auto result = evaluate(folder_.write("office.log", posed_log()),
                                {"--json", path, "--methods", "GLAROT-CG,falko_slam"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
-  for (const json& entry : json::parse(test::whole_file(path)).at(0).at("methods")) {
+  const json document = json::parse(test::whole_file(path));
+  for (const json& entry : document.at(0).at("methods")) {
     for (const char* part : {"detection", "search", "association"}) {
       EXPECT_EQ(entry.contains(part), entry.at("method") == "GLAROT-CG") << entry << part;
     }

@@ -95,6 +95,11 @@ TEST_F(MapCommand, SaysWhatIsMissing) {
   EXPECT_TRUE(other_time.complains("none of its scans has a pose in ")) << other_time.errors;
 }
 
+TEST_F(MapCommand, BuildsNoLayoutForItHoldsNoCorners) {
+  const auto result = build("ground_truth", "map.imk");
+  EXPECT_TRUE(result.complains("a layout holds no corners")) << result.errors;
+}
+
 TEST_F(MapCommand, InspectsAMap) {
   const auto result = falko({"map", "inspect", reflectors_});
   EXPECT_EQ(result.exit_code, 0);

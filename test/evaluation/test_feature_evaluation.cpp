@@ -76,7 +76,7 @@ TEST_F(EvaluateFeatures, RepeatsWithItsSeed) {
 }
 
 TEST_F(EvaluateFeatures, TheStartAngleIsNothingToFalko) {
-  const auto& falko = evaluate().detectors.at(0);
+  const DetectorEvaluation falko = evaluate().detectors.at(0);
   EXPECT_EQ(falko.repeatability.start_angle.count, 4U * params_.repeatability.start_angles.size());
   EXPECT_EQ(falko.repeatability.start_angle.mean, 1.0);
 }

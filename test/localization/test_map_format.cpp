@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "falko_slam/localization/imk_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace falko_slam {
@@ -18,20 +17,29 @@ TEST(MapFormat, IsToldByTheEnding) {
   EXPECT_FALSE(is_imk(".imk"));
 }
 
-TEST(MapFormat, EitherIsRead) {
+TEST(MapFormat, EitherIsWrittenAndRead) {
   const test::TemporaryFolder folder;
   LandmarkMap map;
   map.landmarks.resize(1);
   map.landmarks[0].id = 4;
   map.landmarks[0].position = {1.5, -2.0};
-  write_landmark_map(folder.file("a.yaml"), map);
-  write_imk(folder.file("a.imk"), map);
 
   for (const char* name : {"a.yaml", "a.imk"}) {
+    EXPECT_EQ(write_map_of_any_format(folder.file(name), map), 0U);
     const LandmarkMap read = read_map_of_any_format(folder.file(name));
     ASSERT_NE(read.find(4), nullptr) << name;
     EXPECT_EQ(read.find(4)->position, map.landmarks[0].position) << name;
   }
+}
+
+TEST(MapFormat, TellsHowManyFeaturesALayoutCannotHold) {
+  const test::TemporaryFolder folder;
+  LandmarkMap map;
+  map.landmarks.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) map.landmarks[i].id = static_cast<std::uint32_t>(i + 1);
+  map.landmarks[2].kind = LandmarkKind::kFeature;
+  EXPECT_EQ(write_map_of_any_format(folder.file("a.imk"), map), 1U);
+  EXPECT_EQ(write_map_of_any_format(folder.file("a.yaml"), map), 0U);
 }
 
 }  // namespace

@@ -79,6 +79,28 @@ TEST_F(TopicWatchTest, NamesTopicAndCause) {
   EXPECT_FALSE(watch_.cause());
 }
 
+TEST_F(TopicWatchTest, TellsTheConsoleOnceOfATopicThatNobodyPublishes) {
+  watch_.heard(0.0);
+  master_says(TopicDirectory{});
+  answered(TopicWatch::kPatience);
+  EXPECT_FALSE(watch_.told());
+  answered(TopicWatch::kPatience + 1.0);
+  EXPECT_TRUE(watch_.told());
+
+  watch_.heard(7.0);
+  EXPECT_FALSE(watch_.told());
+  master_says(TopicDirectory{{"/scan", {kScanType, {"/a"}}}});
+  answered(20.0);
+  EXPECT_FALSE(watch_.told());  // a scanner that is off
+}
+
+TEST_F(TopicWatchTest, KeepsFromTheConsoleWhatMayBeSilent) {
+  watch_.keep_from_console();
+  master_says(TopicDirectory{});
+  answered(100.0);
+  EXPECT_FALSE(watch_.told());
+}
+
 // Between two silences the system may have become another one.
 TEST_F(TopicWatchTest, ForgetsWhatTheMasterSaidOfAnEarlierSilence) {
   answered(102.0);

@@ -45,7 +45,9 @@ SilenceCause silence_cause(const HeardTopic& topic, const TopicDirectory& direct
 /// those whose last names are alike.
 std::string describe_silence(const HeardTopic& topic, const TopicDirectory& directory);
 
-/// Whether messages come on a topic, and if not, why, for /diagnostics.
+/// Whether messages come on a topic, and if not, why, for /diagnostics. A topic that nobody
+/// publishes, or publishes with another type, is told to the console, too, once for each silence:
+/// most likely its name is misspelt.
 ///
 /// The master is asked by a thread of its own, and only while something is missing: nobody waits
 /// for it. With a report every second a topic is named within `timeout` and one second of the last
@@ -56,6 +58,8 @@ class TopicWatch {
   using AskMaster = std::function<std::optional<TopicDirectory>()>;
   /// So that a missing topic is named, and with the cause, within three seconds.
   static constexpr double kTimeout = 1.5;
+  /// A silence that goes to the console [s]: longer than it takes all nodes to start.
+  static constexpr double kPatience = 5.0;
 
   TopicWatch(HeardTopic topic, double now, double timeout = kTimeout, AskMaster ask = ask_master);
 
@@ -69,9 +73,14 @@ class TopicWatch {
   std::string describe(double seconds) const;
   /// Nothing as long as the master has not been asked or messages come.
   std::optional<SilenceCause> cause() const;
+  /// For a topic that may well be silent: the console is told nothing.
+  void keep_from_console() { to_console_ = false; }
+  /// The console knows of the silence.
+  bool told() const { return told_; }
 
  private:
   void ask();
+  void tell(double seconds);
 
   HeardTopic topic_;
   double timeout_;
@@ -80,6 +89,8 @@ class TopicWatch {
   std::future<std::optional<TopicDirectory>> question_;
   bool outdated_ = false;  // messages came after the question
   std::optional<TopicDirectory> answer_;
+  bool to_console_ = true;
+  bool told_ = false;
 };
 
 }  // namespace falko_slam
