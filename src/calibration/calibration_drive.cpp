@@ -42,8 +42,10 @@ Eigen::Vector2d seen_from(const Eigen::Vector2d& place, const Reflector& reflect
 PoseEstimate measured_motion(const Pose2& start_T_end, const Reflectors& points,
                              const SimulatedCalibrationNoise& noise, std::mt19937_64& random) {
   const double deviation = noise.detection / std::sqrt(noise.scans_at_rest);
+  // One for all points, unlike normal(): it makes two numbers at a time, and published figures are
+  // of both.
   std::normal_distribution<double> unit;
-  const auto error = [&](std::mt19937_64& generator) { return deviation * unit(generator); };
+  const auto error = [&] { return deviation * unit(random); };
   const Pose2 end_T_start = start_T_end.inverse();
   std::vector<PointPair> pairs;
   for (const Reflector& reflector : points) {
@@ -51,8 +53,8 @@ PoseEstimate measured_motion(const Pose2& start_T_end, const Reflectors& points,
     const Eigen::Vector2d at_end =
         seen_from(start_T_end.translation(), reflector, noise.viewpoint_bias);
     PointPair pair;
-    pair.point_in_target = at_start + Eigen::Vector2d(error(random), error(random));
-    pair.point_in_source = end_T_start * at_end + Eigen::Vector2d(error(random), error(random));
+    pair.point_in_target = at_start + Eigen::Vector2d(error(), error());
+    pair.point_in_source = end_T_start * at_end + Eigen::Vector2d(error(), error());
     pairs.push_back(pair);
   }
   return align(pairs, std::sqrt(2.0) * deviation)->target_T_source;

@@ -61,7 +61,7 @@ void take_nominal(CalibrateOptions& options) {
 void print_nominal(const CalibrateOptions& options) {
   const SegmentRecorderParams& nominal = options.recorder;
   std::cout << "believed of the vehicle: wheelbase " << nominal.tricycle.wheelbase
-            << " m, driving scale " << nominal.tricycle.driving_scale << " m, laser "
+            << " m, driving scale " << nominal.tricycle.driving_scale << " m a tick, laser "
             << nominal.base_T_laser;
   if (!options.defaults.empty()) std::cout << "; by default: " << options.defaults;
   std::cout << "\n";

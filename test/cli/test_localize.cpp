@@ -71,5 +71,16 @@ TEST_F(LocalizeCommand, NamesATopicThatIsMissing) {
   EXPECT_TRUE(result.complains("nav_msgs/Odometry")) << result.errors;
 }
 
+TEST_F(LocalizeCommand, TakesTheLayoutThatSimulateWrites) {
+  const std::string layout = folder_.file("map.imk");
+  ASSERT_EQ(falko({"simulate", folder_.file("hall.yaml"), "--out", folder_.file("hall.bag"),
+                   "--force", "--map-out", layout})
+                .exit_code,
+            0);
+  const auto result =
+      falko({"localize", folder_.file("hall.bag"), "--map", layout, "--out", folder_.file("out")});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+}
+
 }  // namespace
 }  // namespace falko_slam

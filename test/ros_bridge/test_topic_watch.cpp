@@ -95,9 +95,10 @@ TEST_F(TopicWatchTest, TellsTheConsoleOnceOfATopicThatNobodyPublishes) {
 }
 
 TEST_F(TopicWatchTest, KeepsFromTheConsoleWhatMayBeSilent) {
-  watch_.keep_from_console();
   master_says(TopicDirectory{});
-  answered(100.0);
+  watch_.keep_from_console();
+  answered(120.0);
+  EXPECT_EQ(watch_.cause(), SilenceCause::kNoPublisher);
   EXPECT_FALSE(watch_.told());
 }
 

@@ -104,6 +104,12 @@ TEST(RoundedPath, RoundsCornersByTheirRadius) {
   EXPECT_NEAR(path.nearest({4.0, 1.0}, 0.0, 20.0), 4.0, 0.02);
 }
 
+// The arc takes the whole second line but for what rounding leaves of it.
+TEST(RoundedPath, EndsWhereACornerEnds) {
+  const RoundedPath path({{0.0, 0.0}, {5.0, 0.0}, {5.0, 1.25}}, 1.25);
+  EXPECT_LT((path.at(path.length()) - Eigen::Vector2d(5.0, 1.25)).norm(), 1e-9);
+}
+
 TEST(RoundedPath, TakesLessRadiusWhereThereIsNoRoom) {
   const RoundedPath path({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {2.0, 1.0}}, 5.0);
 
