@@ -366,6 +366,7 @@ set(command_sources
   src/cli/map_command.cpp
   src/cli/map_inspection.cpp
   src/cli/optimize_command.cpp
+  src/cli/output_files.cpp
   src/cli/parameters_command.cpp
   src/cli/path_report.cpp
   src/cli/precision_evaluation_command.cpp

@@ -8,6 +8,7 @@
 #include "falko_slam/ros_bridge/carmen_bag.hpp"
 #include "falko_slam/ros_bridge/tricycle_bag.hpp"
 #include "falko_slam/sensor/log_kind.hpp"
+#include "output_files.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -47,6 +48,7 @@ void add_convert(CLI::App& app) {
   verb->add_option("--laser-frame", options->params.laser_frame, "default laser");
   verb->add_flag("--force", options->params.replace, "replace an existing bag");
   verb->callback([options] {
+    require_new(options->bag, options->params.replace);
     std::cout << convert(*options) << "\n"
               << "wrote " << options->bag << ": " << describe_resources() << "\n";
   });

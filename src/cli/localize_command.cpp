@@ -1,10 +1,8 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -17,6 +15,7 @@
 #include "falko_slam/localization/map_format.hpp"
 #include "falko_slam/ros_bridge/localization_recording.hpp"
 #include "localize_run.hpp"
+#include "output_files.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -25,6 +24,7 @@ namespace {
 struct LocalizeOptions {
   std::string recording, map, out, json, calibration, parameters;
   std::vector<double> start;  ///< x, y [m], heading [rad]; empty: not known
+  bool replace = false;
   bool no_deskew = false;
   bool stamp_at_end = false;
   LocalizationRecordingParams reading;
@@ -97,6 +97,7 @@ void begin(LocalizeRun& run, const LocalizeOptions& options, const LocalizationR
 }
 
 void localize(LocalizeOptions options) {
+  make_output_folder(options.out, options.replace);
   if (!options.calibration.empty()) {
     options.reading.calibration = read_calibration(options.calibration).calibration;
   }
@@ -130,7 +131,6 @@ void localize(LocalizeOptions options) {
     };
     play_localization_recording(options.recording, options.reading, listener);
   }
-  std::filesystem::create_directories(options.out);
   write_tum(options.out + "/trajectory.tum", run.trajectory());
   write_whole_file(options.out + "/status.csv", run.table());
   write_json(options.out + "/report.json", json_of(run, recording));
@@ -164,6 +164,7 @@ void add_localize(CLI::App& app) {
   verb->add_option("--out", options->out,
                    "folder for trajectory.tum, status.csv and report.json; made if not there")
       ->required();
+  verb->add_flag("--force", options->replace, "replace what an earlier run wrote to the folder");
   verb->add_option("--start", options->start, "x,y,heading [m, rad]; default: searched for")
       ->delimiter(',')
       ->expected(3);

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <stdexcept>
 #include <vector>
 
 #include "console.hpp"
 #include "falko_slam/localization/map_format.hpp"
+#include "output_files.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -131,9 +130,7 @@ void inspect_map(const std::string& path, const std::string& json) {
 }
 
 void convert_map(const std::string& in, const std::string& out, bool replace) {
-  if (!replace && std::filesystem::exists(out)) {
-    throw std::runtime_error(out + ": exists already");
-  }
+  require_new(out, replace);
   const LandmarkMap map = read_map_of_any_format(in);
   const std::size_t features = write_map_of_any_format(out, map);
   std::printf("wrote %s: %zu landmarks\n", out.c_str(), map.landmarks.size() - features);

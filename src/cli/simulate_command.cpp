@@ -15,6 +15,7 @@
 #include "falko_slam/localization/map_format.hpp"
 #include "falko_slam/ros_bridge/simulation_bag.hpp"
 #include "falko_slam/simulation/scenario_file.hpp"
+#include "output_files.hpp"
 
 namespace falko_slam {
 namespace cli {
@@ -43,6 +44,7 @@ StoredCalibration without_errors(const VehicleModel& vehicle) {
 
 void simulate(const SimulateOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
+  require_new(options.out, options.params.replace);
   const Scenario scenario = read_scenario(options.scenario);
   if (!options.map.empty()) {
     std::mt19937_64 random(options.params.seed);

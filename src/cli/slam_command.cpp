@@ -1,15 +1,14 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "falko_slam/ros_bridge/slam_node_params.hpp"
 #include "falko_slam/ros_bridge/yaml_parameters.hpp"
+#include "output_files.hpp"
 #include "slam_run.hpp"
 
 namespace falko_slam {
@@ -21,17 +20,12 @@ struct SlamOptions {
   std::string out;
   DriveRecordingParams reading;
   bool no_odometry = false;
+  bool replace = false;
   bool upside_down = false;
   std::string parameters;
   double outliers = 0.0;
   unsigned seed = 1;
 };
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
-}
 
 SlamParams read_parameters(const SlamOptions& options) {
   SlamParams params;
@@ -61,8 +55,10 @@ void print(const SlamRun& run, const DriveRecordingReport& read, const SlamOptio
   std::size_t accepted = 0;
   for (const SlamClosure& closure : run.slam().closures()) accepted += closure.accepted ? 1U : 0U;
   std::printf("%s: %s\n", options.recording.c_str(), read.description.c_str());
-  std::printf("%zu scans, %zu of them unusable; %zu searched for, %zu fitted nowhere\n",
-              run.record().scans(), run.unusable(), run.record().searched(), run.record().lost());
+  std::printf(
+      "%zu scans, %zu of them unusable; %zu did not fit where they were predicted, "
+      "%zu fitted nowhere near: there odometry was believed\n",
+      run.record().scans(), run.unusable(), run.record().searched(), run.record().lost());
   std::printf("%zu keyframes, %zu closures accepted, %zu refused\n", run.slam().keyframes(),
               accepted, run.slam().closures().size() - accepted);
   std::printf("%s\n%s\n", options.out.c_str(), describe_resources().c_str());
@@ -71,7 +67,7 @@ void print(const SlamRun& run, const DriveRecordingReport& read, const SlamOptio
 void slam(SlamOptions options) {
   options.reading.use_odometry = !options.no_odometry;
   const SlamParams params = read_parameters(options);
-  make_folder(options.out);
+  make_output_folder(options.out, options.replace);
   SlamRun run(params, options.outliers, options.seed);
   DriveRecordingReport read;
   {
@@ -107,6 +103,7 @@ void add_slam(CLI::App& app) {
   verb->add_option(
       "--parameters", options->parameters,
       "YAML file with groups as in config/slam.yaml; what it leaves out keeps its default");
+  verb->add_flag("--force", options->replace, "replace what an earlier run wrote to the folder");
   verb->add_flag("--no-odometry", options->no_odometry, "registration of the scans alone");
   verb->add_flag("--upside-down", options->upside_down, "the laser hangs upside down");
   verb->add_option("--inject-outliers", options->outliers,

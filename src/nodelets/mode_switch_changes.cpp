@@ -62,7 +62,7 @@ void ModeSwitchNodelet::require_readable(VehicleMode mode, const std::string& fi
   }
 }
 
-std::string ModeSwitchNodelet::save_map() const {
+SaveState ModeSwitchNodelet::save_map() const {
   const std::string node = nodelet_of(VehicleMode::kMapping).name + "/";
   const std::string name = with_time(params_.save_as);
   SaveState state;
@@ -71,7 +71,7 @@ std::string ModeSwitchNodelet::save_map() const {
   SaveMap map;
   map.request.file = name;
   require_success(node + topics::kSaveMap, map);
-  return state.request.file;
+  return state;
 }
 
 // The state becomes the parameter: whoever loads the nodelet again, mapping goes on.
@@ -117,8 +117,9 @@ std::string ModeSwitchNodelet::change(VehicleMode mode, const SetMode::Request& 
   std::string old_file = file_of(before, "");
   if (runs) {
     if (before == VehicleMode::kMapping && request.discard_map == 0) {
-      old_file = save_map();
-      done += "; the map is saved as " + old_file;
+      const SaveState saved = save_map();
+      old_file = saved.request.file;
+      done += "; " + saved.response.message;
     }
     manager_->unload(old);
   }

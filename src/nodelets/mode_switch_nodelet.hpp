@@ -47,8 +47,8 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
   void require_readable(VehicleMode mode, const std::string& file) const;
   std::string file_of(VehicleMode mode, const std::string& wished) const;
   void autosave();
-  /// Returns the name of the state.
-  std::string save_map() const;
+  /// State and occupancy grid; returns what the state's service was asked and said.
+  SaveState save_map() const;
   /// With the file as its parameter.
   void load(VehicleMode mode, const std::string& file);
 

@@ -31,6 +31,15 @@ TEST(CommandLine, NamesAVerbThatThereIsNot) {
   EXPECT_EQ(result.output, "");
 }
 
+TEST(CommandLine, ListsTheVerbsForOneThatThereIsNot) {
+  const auto result = falko({"evaluate", "precison", "a.yaml", "--seed", "1"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_TRUE(result.complains("precison is no command of falko evaluate")) << result.errors;
+  EXPECT_TRUE(result.complains("features, ")) << result.errors;
+  EXPECT_TRUE(result.complains(", precision")) << result.errors;
+  EXPECT_TRUE(falko({"slma"}).complains("slma is no command of falko\nfalko has: calibrate, "));
+}
+
 TEST(CommandLine, NeedsAVerb) {
   for (const auto& words : {std::vector<std::string>{}, std::vector<std::string>{"evaluate"}}) {
     const auto result = falko(words);

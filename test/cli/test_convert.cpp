@@ -49,7 +49,7 @@ TEST_F(ConvertCommand, ReplacesABagOnlyIfTold) {
   EXPECT_EQ(falko({"convert", log, bag_}).exit_code, 0);
   const auto refused = falko({"convert", log, bag_});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_EQ(refused.errors, "falko: " + bag_ + ": exists already\n");
+  EXPECT_EQ(refused.errors, "falko: " + bag_ + ": exists already; --force replaces it\n");
   EXPECT_EQ(falko({"convert", log, bag_, "--force"}).exit_code, 0);
 }
 

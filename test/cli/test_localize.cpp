@@ -55,6 +55,7 @@ TEST_F(LocalizeCommand, FindsItselfAndWritesPosesStatusAndReport) {
   EXPECT_NE(test::whole_file(folder_.file("out/status.csv")).find(",ok,"), std::string::npos);
   EXPECT_NE(test::whole_file(folder_.file("out/report.json")).find("position_error"),
             std::string::npos);
+  EXPECT_TRUE(localize().complains("report.json: exists already; --force replaces it"));
 }
 
 TEST_F(LocalizeCommand, TakesReportedReflectorsAndAStart) {

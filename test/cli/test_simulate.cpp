@@ -192,7 +192,8 @@ TEST_F(SimulateCommand, ReplacesABagOnlyIfTold) {
   const std::string before = test::whole_file(folder_.file("a.bag"));
   const auto refused = simulate("a.bag", {"--seed", "2"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_EQ(refused.errors, "falko: " + folder_.file("a.bag") + ": exists already\n");
+  EXPECT_EQ(refused.errors,
+            "falko: " + folder_.file("a.bag") + ": exists already; --force replaces it\n");
   EXPECT_TRUE(test::whole_file(folder_.file("a.bag")) == before);
   EXPECT_EQ(simulate("a.bag", {"--seed", "2", "--force"}).exit_code, 0);
   EXPECT_FALSE(test::whole_file(folder_.file("a.bag")) == before);

@@ -64,6 +64,17 @@ TEST_F(SlamCommand, WritesAllItsFilesToAFolderThatItMakes) {
   EXPECT_EQ(names, kFiles);
 }
 
+TEST_F(SlamCommand, ReplacesAnEarlierRunOnlyIfToldTo) {
+  const std::string old = folder_.write("report.json", "old");
+  const auto refused = slam("");
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_TRUE(refused.complains("report.json: exists already; --force replaces it"))
+      << refused.errors;
+  EXPECT_EQ(test::whole_file(old), "old");
+  EXPECT_EQ(slam("", {"--force"}).exit_code, 0);
+  EXPECT_EQ(report("").at("lost_scans"), 0);
+}
+
 TEST_F(SlamCommand, WritesAPoseForEachScanInTheirOrder) {
   ASSERT_EQ(slam("out").exit_code, 0);
   std::vector<Time> stamps;
