@@ -125,8 +125,8 @@ void localize(LocalizeOptions options) {
       run.add(raw);
       progress.step();
     };
-    listener.reflectors = [&](Time stamp, std::vector<LandmarkObservation> seen) {
-      run.add(stamp, std::move(seen));
+    listener.reflectors = [&](Time stamp, const std::vector<LandmarkObservation>& seen) {
+      run.add(stamp, seen);
       progress.step();
     };
     play_localization_recording(options.recording, options.reading, listener);

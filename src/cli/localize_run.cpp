@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 #include "falko_slam/common/number_text.hpp"
 #include "falko_slam/geometry/angles.hpp"
@@ -61,9 +60,9 @@ void LocalizeRun::add(const RawScan& raw) {
   note(report, seconds_since(begin));
 }
 
-void LocalizeRun::add(Time stamp, std::vector<LandmarkObservation> reflectors) {
+void LocalizeRun::add(Time stamp, const std::vector<LandmarkObservation>& reflectors) {
   const auto begin = Clock::now();
-  const LocalizerReport& report = localizer_.add_reflectors(stamp, std::move(reflectors));
+  const LocalizerReport& report = localizer_.add_reflectors(stamp, reflectors);
   note(report, seconds_since(begin));
 }
 

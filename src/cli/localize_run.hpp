@@ -25,7 +25,7 @@ class LocalizeRun {
   Localizer& localizer() { return localizer_; }
 
   void add(const RawScan& raw);
-  void add(Time stamp, std::vector<LandmarkObservation> reflectors);
+  void add(Time stamp, const std::vector<LandmarkObservation>& reflectors);
 
   const Trajectory& trajectory() const { return trajectory_; }
   const std::string& table() const { return table_; }  ///< CSV, a line for each scan

@@ -124,6 +124,7 @@ class PairGate {
 // The landmarks of the pairs by small numbers: the search marks those that are taken.
 JointPairs joint_pairs(const std::vector<LandmarkPair>& pairs) {
   std::vector<std::size_t> landmarks;
+  landmarks.reserve(pairs.size());
   for (const LandmarkPair& pair : pairs) landmarks.push_back(pair.landmark);
   std::sort(landmarks.begin(), landmarks.end());
   landmarks.erase(std::unique(landmarks.begin(), landmarks.end()), landmarks.end());

@@ -16,7 +16,7 @@ void validate(const ExternalMapParams& params) {
 }
 
 ExternalMapFilter::ExternalMapFilter(const ExternalMapParams& params,
-                                     std::shared_ptr<const LandmarkIndex> map,
+                                     const std::shared_ptr<const LandmarkIndex>& map,
                                      const PoseEstimate& map_T_base)
     : params_(params), map_T_base_(map_T_base) {
   validate(params_);

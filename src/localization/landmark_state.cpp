@@ -100,7 +100,7 @@ Eigen::Matrix2d LandmarkState::between(const Row& row,
 }
 
 Eigen::Matrix2d LandmarkState::innovation_covariance(const Row& row) const {
-  const Eigen::Matrix2d known =
+  Eigen::Matrix2d known =
       row.dpose * covariance_.topLeftCorner<3, 3>() * row.dpose.transpose() + row.noise;
   if (!row.inside()) return known;
   const int at = 3 + 2 * row.landmark;
@@ -133,9 +133,9 @@ double LandmarkState::correct(const std::vector<Row>& rows) {
 // Keeps up the lower triangle and the blocks on the diagonal only.
 double LandmarkState::correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step) {
   const int n = size(), m = 2 * static_cast<int>(rows.size());
-  if (slopes_.rows() < n) slopes_.resize(n, 2 * static_cast<int>(kBatch));
-  auto V = slopes_.topLeftCorner(n, m);
   Eigen::Matrix<double, 2 * kBatch, 2 * kBatch> space;
+  if (slopes_.rows() < n) slopes_.resize(n, space.cols());
+  auto V = slopes_.topLeftCorner(n, m);
   auto S = space.topLeftCorner(m, m);
   Eigen::VectorXd innovation(m);
   for (int i = 0; i < m; i += 2) {

@@ -21,8 +21,8 @@ const LocalizerReport& Localizer::add_scan(const LaserScan& scan) {
   return impl_->report_;
 }
 
-const LocalizerReport& Localizer::add_reflectors(Time stamp,
-                                                 std::vector<LandmarkObservation> observations) {
+const LocalizerReport& Localizer::add_reflectors(
+    Time stamp, const std::vector<LandmarkObservation>& observations) {
   ScanLandmarks landmarks;
   landmarks.instant = stamp;
   for (const LandmarkObservation& observation : observations) {

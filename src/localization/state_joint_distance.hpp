@@ -20,25 +20,25 @@ class StateJointDistance : public JointDistance {
   StateJointDistance(const LandmarkState& state, const std::vector<LandmarkState::Row>& rows,
                      std::size_t most)
       : rows_(rows),
-        slopes_(state.size(), 2 * static_cast<int>(rows.size())),
-        L_(2 * static_cast<int>(most), 2 * static_cast<int>(most)),
-        white_(2 * static_cast<int>(most)),
+        slopes_(state.size(), first_row(rows.size())),
+        L_(first_row(most), first_row(most)),
+        white_(first_row(most)),
         chosen_(most) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      state.covariance_with(rows[i], slopes_.middleCols<2>(2 * static_cast<int>(i)));
+      state.covariance_with(rows[i], slopes_.middleCols<2>(first_row(i)));
     }
   }
 
   double with(std::size_t count, std::size_t pair) override {
     chosen_[count] = pair;
     const LandmarkState::Row& row = rows_[pair];
-    const int at = 2 * static_cast<int>(count);
+    const Eigen::Index at = first_row(count);
     for (std::size_t j = 0; j <= count; ++j) {
-      L_.block<2, 2>(at, 2 * static_cast<int>(j)) = between(row, chosen_[j]);
+      L_.block<2, 2>(at, first_row(j)) = between(row, chosen_[j]);
     }
     Eigen::Matrix2d rest = L_.block<2, 2>(at, at) + row.noise;
-    for (int i = at; i < at + 2; ++i) {
-      for (int c = 0; c < at; ++c) {
+    for (Eigen::Index i = at; i < at + 2; ++i) {
+      for (Eigen::Index c = 0; c < at; ++c) {
         L_(i, c) = (L_(i, c) - L_.row(i).head(c).dot(L_.row(c).head(c))) / L_(c, c);
       }
     }
@@ -52,8 +52,10 @@ class StateJointDistance : public JointDistance {
   }
 
  private:
+  static Eigen::Index first_row(std::size_t pair) { return 2 * static_cast<Eigen::Index>(pair); }
+
   Eigen::Matrix2d between(const LandmarkState::Row& row, std::size_t other) const {
-    return LandmarkState::between(row, slopes_.middleCols<2>(2 * static_cast<int>(other)));
+    return LandmarkState::between(row, slopes_.middleCols<2>(first_row(other)));
   }
 
   const std::vector<LandmarkState::Row>& rows_;

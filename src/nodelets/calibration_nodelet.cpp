@@ -19,12 +19,10 @@
 namespace falko_slam {
 CalibrationNodelet::~CalibrationNodelet() {
   if (thread_) thread_->stop();
-  if (session_ && ros::ok()) {
-    session_->abort("the node ends");
-    send(session_->next(now_));
-    CalibrateResult result;
-    result.message = session_->driver().reason();
-    server_->setAborted(result, result.message);
+  try {
+    abort_drive();
+  } catch (const std::exception& error) {
+    NODELET_ERROR("the drive is not aborted: %s", error.what());
   }
   control_timer_.stop();
   diagnostics_timer_.stop();
@@ -32,6 +30,15 @@ CalibrationNodelet::~CalibrationNodelet() {
   scans_.shutdown();
   compute_.shutdown();
   transforms_.reset();
+}
+
+void CalibrationNodelet::abort_drive() {
+  if (!session_ || !ros::ok()) return;
+  session_->abort("the node ends");
+  send(session_->next(now_));
+  CalibrateResult result;
+  result.message = session_->driver().reason();
+  server_->setAborted(result, result.message);
 }
 
 void CalibrationNodelet::onInit() {

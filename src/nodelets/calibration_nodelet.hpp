@@ -47,6 +47,7 @@ class CalibrationNodelet : public nodelet::Nodelet {
   void load_parameters();
   void start_listening();
   void start_serving();
+  void abort_drive();
 
   void on_reading(const EncoderReading& reading);
   void on_reflectors(const ReflectorArray& message);

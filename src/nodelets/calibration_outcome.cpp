@@ -22,6 +22,7 @@ std::string date_of_today() {
 RecordedCalibration calibrate_given(const std::vector<CalibrationArc>& arcs,
                                     const CalibratorParams& params) {
   std::vector<PathSegment> segments;
+  segments.reserve(arcs.size());
   for (const CalibrationArc& arc : arcs) segments.push_back(from_message(arc));
   RecordedCalibration calibration;
   calibration.result = calibrate(segments, params);
@@ -46,7 +47,7 @@ std::vector<CalibrationArc> CalibrationNodelet::driven_arcs() const {
 
 std::string CalibrationNodelet::keep(const CalibrationResult& result, TricycleModel model,
                                      const KeepWish& wish, CalibrationOutcome& outcome) const {
-  const std::string summary = summary_of(outcome);
+  std::string summary = summary_of(outcome);
   if (wish.file.empty()) return summary;
   if (result.verdict == CalibrationVerdict::kWeak && !wish.accept_weak) {
     return summary + "; not written, accept_weak would do so";

@@ -8,7 +8,7 @@
 
 namespace falko_slam {
 EncoderInput::EncoderInput(ros::NodeHandle node, const VehicleParams& vehicle,
-                           std::function<void(const EncoderReading&)> received) {
+                           const std::function<void(const EncoderReading&)>& received) {
   if (vehicle.encoder_source == EncoderSource::kTicks) {
     subscriber_ = node.subscribe<TricycleEncoders>(
         topics::kEncoders, kMotionQueue,

@@ -15,7 +15,7 @@ namespace falko_slam {
 class EncoderInput {
  public:
   EncoderInput(ros::NodeHandle node, const VehicleParams& vehicle,
-               std::function<void(const EncoderReading&)> received);
+               const std::function<void(const EncoderReading&)>& received);
 
   const HeardTopic& topic() const { return topic_; }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <falko_slam/SaveState.h>
 #include <falko_slam/SetMode.h>
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>

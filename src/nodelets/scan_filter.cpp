@@ -85,7 +85,8 @@ void ScanFilter::on_dropped(const Message& message) {
     if (!missing.empty() || buffer_.canTransform(frame, laser, message->header.stamp, &reason)) {
       continue;
     }
-    missing = "no transform from " + laser + " to " + frame + " at its stamp: " + reason;
+    missing.append("no transform from ").append(laser).append(" to ").append(frame);
+    missing.append(" at its stamp: ").append(reason);
   }
   forget_the_future();
   listener_.dropped(message, missing.empty() ? "the transform came too late" : missing);

@@ -26,7 +26,7 @@ Eigen::Vector2d middle_of(const ScanView& view) {
 
 Pose2 turned_about(const Eigen::Vector2d& middle, double angle) {
   const Pose2 turn(0.0, 0.0, angle);
-  return Pose2(middle - turn * middle, angle);
+  return {middle - turn * middle, angle};
 }
 
 }  // namespace

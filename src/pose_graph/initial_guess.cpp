@@ -120,9 +120,11 @@ std::vector<double> chordal_headings(const Graph& graph, EdgeEquations& equation
                      std::polar(1.0, edge.constraint->from_T_to.theta()), 0.0});
   }
   std::vector<Complex> directions;
+  directions.reserve(graph.poses.size());
   for (const Pose2& pose : graph.poses) directions.push_back(std::polar(1.0, pose.theta()));
   equations.solve(terms, directions);
   std::vector<double> headings;
+  headings.reserve(directions.size());
   for (const Complex& direction : directions) headings.push_back(std::arg(direction));
   return headings;
 }

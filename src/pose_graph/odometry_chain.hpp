@@ -31,7 +31,7 @@ class OdometryChain {
   void add(const PoseEstimate& last_T_node) {
     if (poses_.empty()) {
       poses_.emplace_back();
-      sums_.push_back(Eigen::Matrix3d::Zero());
+      sums_.emplace_back(Eigen::Matrix3d::Zero());
       return;
     }
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -39,8 +39,9 @@ class OdometryChain {
     poses_.push_back(poses_.back() * last_T_node.pose);
     low_ = low_.cwiseMin(poses_.back().translation());
     high_ = high_.cwiseMax(poses_.back().translation());
-    sums_.push_back(sums_.back() +
-                    moved(poses_.back(), turn * last_T_node.covariance * turn.transpose()));
+    const Eigen::Matrix3d sum =
+        sums_.back() + moved(poses_.back(), turn * last_T_node.covariance * turn.transpose());
+    sums_.push_back(sum);
   }
   const Pose2& pose(std::size_t node) const { return poses_[node]; }
   std::size_t size() const { return poses_.size(); }

@@ -15,7 +15,7 @@ namespace falko_slam {
 namespace {
 
 Eigen::Vector3d coordinates_of(const Pose2& pose) { return {pose.x(), pose.y(), pose.theta()}; }
-Pose2 pose_of(const Eigen::Vector3d& v) { return Pose2(v.x(), v.y(), v.z()); }
+Pose2 pose_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 std::string name_of(const GraphConstraint& constraint) {
   return "constraint of nodes " + std::to_string(constraint.from.value) + " and " +

@@ -87,7 +87,7 @@ double chi2_of(const PoseGraph& graph) {
 Eigen::Matrix3d square_root_of_information(const Eigen::Matrix3d& information) {
   require_symmetric("information", information);
   const Eigen::LLT<Eigen::Matrix3d> cholesky(information);
-  const Eigen::Matrix3d upper = cholesky.matrixU();
+  Eigen::Matrix3d upper = cholesky.matrixU();
   const double largest = information.cwiseAbs().maxCoeff();
   if (cholesky.info() == Eigen::Success &&
       upper.diagonal().minCoeff() > 1e-6 * std::sqrt(largest)) {

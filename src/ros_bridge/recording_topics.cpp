@@ -53,7 +53,7 @@ std::map<std::string, std::string> topic_types(const rosbag::Bag& bag) {
 std::string describe(const std::map<std::string, std::string>& types) {
   std::string text;
   for (const auto& [topic, type] : types) {
-    text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
+    text.append(text.empty() ? "" : ", ").append(topic).append(" (").append(type).append(")");
   }
   return text.empty() ? "no topics" : text;
 }

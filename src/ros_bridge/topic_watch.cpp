@@ -53,12 +53,15 @@ std::optional<TopicDirectory> ask_master() {
   ros::master::V_TopicInfo topics;
   if (!ros::master::getTopics(topics)) return {};
   if (!ros::master::execute("getSystemState", name, answer, state, false)) return {};
-  // [[topic, [publisher, ...]], ...], and the same of subscribers and services.
+  // [[topic, [publisher, ...]], ...], and the same of subscribers and services. Only structures
+  // have iterators.
   XmlRpc::XmlRpcValue& published = state[0];
-  for (int i = 0; i < published.size(); ++i) {
+  for (int i = 0; i < published.size(); ++i) {  // NOLINT(modernize-loop-convert)
     XmlRpc::XmlRpcValue& nodes = published[i][1];
     PublishedTopic& topic = directory[static_cast<std::string&>(published[i][0])];
-    for (int k = 0; k < nodes.size(); ++k) topic.publishers.push_back(nodes[k]);
+    for (int k = 0; k < nodes.size(); ++k) {  // NOLINT(modernize-loop-convert)
+      topic.publishers.push_back(nodes[k]);
+    }
   }
   for (const ros::master::TopicInfo& topic : topics) directory[topic.name].type = topic.datatype;
   return directory;

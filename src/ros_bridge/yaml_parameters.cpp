@@ -22,11 +22,11 @@ XmlRpcValue scalar(const YAML::Node& node) {
   bool flag = false;
   int integer = 0;
   double number = 0.0;
-  if (quoted) return XmlRpcValue(node.Scalar());
-  if (YAML::convert<bool>::decode(node, flag)) return XmlRpcValue(flag);
-  if (YAML::convert<int>::decode(node, integer)) return XmlRpcValue(integer);
-  if (YAML::convert<double>::decode(node, number)) return XmlRpcValue(number);
-  return XmlRpcValue(node.Scalar());
+  if (quoted) return node.Scalar();
+  if (YAML::convert<bool>::decode(node, flag)) return flag;
+  if (YAML::convert<int>::decode(node, integer)) return integer;
+  if (YAML::convert<double>::decode(node, number)) return number;
+  return node.Scalar();
 }
 
 // The parser goes deeper with each bracket, and a few lines of aliases can stand for more values

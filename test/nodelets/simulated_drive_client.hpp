@@ -55,7 +55,7 @@ class SimulatedDriveClient {
     const Time end = simulation_->time() + from_seconds(seconds);
     while (simulation_->time() < end && !done() && ros::ok()) {
       step();
-      spin_for(kStep);
+      spin_for(kStep * patience());
     }
     return done();
   }
@@ -68,7 +68,8 @@ class SimulatedDriveClient {
   bool sends_scans = true;
 
  private:
-  static constexpr double kStep = 0.004;  // of real time, for one control period of 0.02 s [s]
+  // Of real time, for one control period of 0.02 s, times the patience [s].
+  static constexpr double kStep = 0.004;
 
   void step() {
     const auto input = driver_->next(simulation_->vehicle(), simulation_->period());

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <set>
 
 #include "falko_slam/common/whole_file.hpp"
@@ -17,11 +18,19 @@
 namespace falko_slam {
 namespace {
 
-// Saves one state after the other until it is killed.
+// Saves one state after the other until it is killed. It has begun when this returns.
 pid_t start_saving(const std::string& path, const SlamState& a, const SlamState& b) {
+  int ends[2];
+  if (::pipe(ends) != 0) return -1;
   const pid_t child = ::fork();
-  if (child != 0) return child;
+  if (child != 0) {
+    char byte = 0;
+    const bool begun = ::close(ends[1]) == 0 && ::read(ends[0], &byte, 1) == 1;
+    ::close(ends[0]);
+    return begun ? child : -1;
+  }
   try {
+    if (::write(ends[1], "x", 1) != 1) ::_exit(1);
     for (;;) {
       save_slam_state(path, a);
       save_slam_state(path, b);
@@ -38,13 +47,15 @@ TEST(SlamStateFileOfAKilledProcess, IsTheOldOneOrTheNewOne) {
   const SlamState b = test::office_state(4.0, 2, 720);
   const std::set<std::string> whole = {to_bytes(a), to_bytes(b)};
   ASSERT_EQ(whole.size(), 2U);
-  save_slam_state(path, a);
+  const auto begin = std::chrono::steady_clock::now();
+  for (const SlamState* state : {&b, &a}) save_slam_state(path, *state);
+  const std::chrono::duration<double, std::micro> period = std::chrono::steady_clock::now() - begin;
   auto random = test::seeded_random();
   std::size_t with_litter = 0;
   for (int run = 0; run < 200; ++run) {
     const pid_t child = start_saving(path, a, b);
     ASSERT_GT(child, 0);
-    ::usleep(static_cast<useconds_t>(test::uniform(random, 0.0, 15000.0)));
+    ::usleep(static_cast<useconds_t>(test::uniform(random, 0.0, 2.0 * period.count())));
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -8,7 +8,7 @@
 namespace falko_slam {
 
 /// A pose in a binary file: x, y [m], theta [rad] as f64.
-constexpr std::size_t kPoseBytes = 3 * 8;
+constexpr std::size_t kPoseBytes = 3 * sizeof(double);
 
 void put(ByteWriter& out, const Pose2& pose);
 

@@ -33,7 +33,8 @@ class ExternalMapFilter {
  public:
   /// Throws std::invalid_argument for params, or a pose or covariance that is none. `map` may be
   /// null.
-  ExternalMapFilter(const ExternalMapParams& params, std::shared_ptr<const LandmarkIndex> map,
+  ExternalMapFilter(const ExternalMapParams& params,
+                    const std::shared_ptr<const LandmarkIndex>& map,
                     const PoseEstimate& map_T_base);
 
   /// As PoseFilter::predict().

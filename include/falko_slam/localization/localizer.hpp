@@ -39,7 +39,8 @@ class Localizer {
   const LocalizerReport& add_scan(const LaserScan& scan);
 
   /// Reflectors in the frame of the laser at one instant.
-  const LocalizerReport& add_reflectors(Time stamp, std::vector<LandmarkObservation> observations);
+  const LocalizerReport& add_reflectors(Time stamp,
+                                        const std::vector<LandmarkObservation>& observations);
 
   /// The pose at a stamp, as a person or another system knows it; motions since then are added. Its
   /// covariance is taken at its word. Empty: the pose is unknown, as at the beginning. Throws

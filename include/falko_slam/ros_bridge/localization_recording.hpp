@@ -35,7 +35,7 @@ struct LocalizationRecordingParams {
 struct LocalizationListener {
   std::function<void(Time, const PoseEstimate&)> motion;
   std::function<void(const RawScan&)> scan;  ///< valid during the call only
-  std::function<void(Time, std::vector<LandmarkObservation>)> reflectors;
+  std::function<void(Time, const std::vector<LandmarkObservation>&)> reflectors;
 };
 
 /// A bag of a drive that is to be localized.
