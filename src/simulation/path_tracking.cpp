@@ -52,7 +52,7 @@ double PathTracking::path_curvature(double way) const {
 }
 
 void PathTracking::move_to(const Pose2& map_T_base) {
-  const Eigen::Vector2d here = map_T_base.translation();
+  const Eigen::Vector2d& here = map_T_base.translation();
   const double from = std::min(way_, path_.length());
   const double nearest = path_.nearest(here, from, from + kSearch);
   const double heading = heading_at(nearest);

@@ -41,7 +41,7 @@ void RoundedPath::append(const Eigen::Vector2d& point) {
   const int pieces = static_cast<int>(std::ceil(length / kSpacing));
   for (int i = 1; i <= pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
-    points_.push_back(from + share * (point - from));
+    points_.emplace_back(from + share * (point - from));
     way_.push_back(begin + share * length);
   }
 }

@@ -44,7 +44,7 @@ template <class Visit>
 void NearbyKeyframes::search_from(std::size_t source, const std::vector<Pose2>& poses, double limit,
                                   const Visit& visit) {
   using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   ++searches_;
   const auto reach = [&](std::size_t at, double variance) {
     Node& node = nodes_[at];
@@ -52,7 +52,7 @@ void NearbyKeyframes::search_from(std::size_t source, const std::vector<Pose2>& 
     if (node.search != searches_) node.settled = false;
     node.search = searches_;
     node.variance = variance;
-    queue.push({variance, at});
+    queue.emplace(variance, at);
   };
   reach(source, 0.0);
   while (!queue.empty()) {
@@ -83,10 +83,11 @@ std::vector<std::size_t> NearbyKeyframes::candidates(std::size_t source,
     const double turn = std::abs(angle_between(poses[source].theta(), poses[i].theta()));
     const bool any_turn = from.all_around && nodes_[i].all_around;
     if (turn > params_.max_turn && !any_turn) continue;
-    found.push_back({distance + (any_turn ? 0.0 : kArm * turn), i});
+    found.emplace_back(distance + (any_turn ? 0.0 : kArm * turn), i);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::size_t> order;
+  order.reserve(found.size());
   for (const auto& [distance, i] : found) order.push_back(i);
   return order;
 }

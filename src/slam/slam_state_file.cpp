@@ -14,7 +14,8 @@ namespace falko_slam {
 namespace {
 
 const FileKind kKind{"FALKOMAP", 1, "a SLAM state"};
-constexpr std::size_t kConstraintBytes = 2 * 8 + kPoseBytes + 6 * 8 + 1;
+constexpr std::size_t kConstraintBytes =
+    2 * sizeof(std::uint64_t) + kPoseBytes + 6 * sizeof(double) + 1;
 
 void put(ByteWriter& out, const GraphConstraint& constraint) {
   out.u64(constraint.from.value);
