@@ -16,7 +16,7 @@ TEST(SimulatorAsClock, TimeGoesAsFastAsItIsTold) {
   ASSERT_TRUE(spin_until([&] { return !ros::Time::now().isZero() && !client.scans.empty(); }));
   const ros::SteadyTime wall = ros::SteadyTime::now();
   const ros::Time begin = ros::Time::now();
-  test::spin_for(2.0);
+  test::spin_for(2.0 * test::patience());
   const double simulated = (ros::Time::now() - begin).toSec();
   const double real = (ros::SteadyTime::now() - wall).toSec();
   EXPECT_NEAR(simulated / real, 8.0, 2.0);

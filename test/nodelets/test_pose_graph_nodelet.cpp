@@ -209,7 +209,7 @@ TEST_P(LaunchedSlam, FollowsTheVehicle) {
   way.drive(client, 10);
   ASSERT_TRUE(all_came(client));
   EXPECT_LT(error_of(client, kStart * way.here()), 0.05);
-  ASSERT_TRUE(spin_until([&] { return client.map != nullptr; }));
+  ASSERT_TRUE(spin_until([&] { return client.map && !client.map_broadcasters.empty(); }));
   EXPECT_EQ(client.map_broadcasters.size(), 1U);
 
   client.send_map_transform();
