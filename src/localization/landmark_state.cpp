@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "covariance_check.hpp"
 #include "falko_slam/geometry/angles.hpp"
 
 namespace falko_slam {
@@ -110,10 +111,31 @@ Eigen::Matrix2d LandmarkState::innovation_covariance(const Row& row) const {
          row.dlandmark * covariance_of(row.landmark) * row.dlandmark.transpose();
 }
 
+double LandmarkState::correct(const std::vector<Row>& rows) {
+  const Eigen::MatrixXd before = covariance();
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(size());
+  const double nis = correct_in_batches(rows, step);
+  auto P = covariance_.topLeftCorner(size(), size());
+  if (nis < 0.0 || !step.allFinite() || !is_left_of(before)) {
+    P = before;
+    return -1.0;
+  }
+  mean_.head(size()) += step;
+  mean_[2] = wrap_angle(mean_[2]);
+  P.triangularView<Eigen::StrictlyUpper>() = P.transpose();
+  return nis;
+}
+
+// What is left of a variance that shrinks by more than this is the rounding of the difference.
+bool LandmarkState::is_left_of(const Eigen::MatrixXd& before) const {
+  constexpr double kLeast = 1e-14;
+  return (covariance().diagonal().array() >= kLeast * before.diagonal().array()).all() &&
+         is_positive_semidefinite<3>(covariance_.topLeftCorner<3, 3>());
+}
+
 // Batch by batch, all from the same point of linearisation: the result is that of all at once, but
 // triangular solves stay small.
-double LandmarkState::correct(const std::vector<Row>& rows) {
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(size());
+double LandmarkState::correct_in_batches(const std::vector<Row>& rows, Eigen::VectorXd& step) {
   double nis = 0.0;
   for (std::size_t first = 0; first < rows.size(); first += kBatch) {
     const auto end =
@@ -123,10 +145,6 @@ double LandmarkState::correct(const std::vector<Row>& rows) {
     if (part < 0.0) return -1.0;
     nis += part;
   }
-  mean_.head(size()) += step;
-  mean_[2] = wrap_angle(mean_[2]);
-  auto P = covariance_.topLeftCorner(size(), size());
-  P.triangularView<Eigen::StrictlyUpper>() = P.transpose();
   return nis;
 }
 

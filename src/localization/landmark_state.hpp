@@ -60,14 +60,17 @@ class LandmarkState {
   /// H P H^T + N of one observation.
   Eigen::Matrix2d innovation_covariance(const Row& row) const;
 
-  /// The normalised innovation squared, or less than zero and the mean as it was if the result were
-  /// not finite. With S = L L^T and V = P H^T L^-T: x += V L^-1 nu, P -= V V^T.
+  /// The normalised innovation squared. With S = L L^T and V = P H^T L^-T: x += V L^-1 nu,
+  /// P -= V V^T. Less than zero and all as it was if the result were not finite or no covariance:
+  /// where P is so vague, deviations of 10 km and more, that the difference is rounding alone.
   double correct(const std::vector<Row>& rows);
 
  private:
   static constexpr std::size_t kBatch = 8;
   void make_room();
+  double correct_in_batches(const std::vector<Row>& rows, Eigen::VectorXd& step);
   double correct_batch(const std::vector<Row>& rows, Eigen::VectorXd& step);
+  bool is_left_of(const Eigen::MatrixXd& before) const;
 
   int most_;
   int landmarks_ = 0;

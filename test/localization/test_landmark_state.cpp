@@ -91,6 +91,37 @@ TEST(LandmarkState, CorrectsAsTheWholeMatricesInJosephsForm) {
   }
 }
 
+// Of a pose of which nothing is known to one of a millimetre: with 16 digits there is nothing left
+// of the difference beyond some variance. Compared with the information form.
+TEST(LandmarkState, CorrectsAVaguePoseOrLeavesItAsItWas) {
+  std::vector<LandmarkState::Row> rows;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 20; ++i) {  // points around, as a laser at the origin sees them
+    LandmarkState::Row row;
+    row.dpose << -1.0, 0.0, 10.0 * std::sin(i), 0.0, -1.0, -10.0 * std::cos(i);
+    row.innovation = {0.3, -0.2};
+    row.noise = 1e-5 * Eigen::Matrix2d::Identity();
+    information += 1e5 * row.dpose.transpose() * row.dpose;
+    rows.push_back(row);
+  }
+  for (double variance = 1.0; variance < 1e300; variance *= 10.0) {
+    const Eigen::Matrix3d before = Eigen::Vector3d(variance, variance, 1.0).asDiagonal();
+    LandmarkState state({{1.0, 2.0, 0.5}, before}, 5);
+    const double nis = state.correct(rows);
+    if (nis < 0.0) {
+      EXPECT_GT(variance, 1e7);
+      EXPECT_EQ(state.pose().covariance, before);
+      EXPECT_EQ(state.pose().pose.x(), 1.0);
+      continue;
+    }
+    Eigen::Matrix3d all = information;
+    all.diagonal() += before.diagonal().cwiseInverse();
+    const Eigen::Array3d expected = all.inverse().diagonal();
+    const Eigen::Array3d found = state.pose().covariance.diagonal();
+    EXPECT_LT((found / expected - 1.0).abs().maxCoeff(), 0.01) << "variance " << variance;
+  }
+}
+
 TEST(LandmarkState, PredictsThePoseAndWhatHangsOnIt) {
   std::mt19937_64 random = test::seeded_random();
   LandmarkState state = random_state(random, 3);

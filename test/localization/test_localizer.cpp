@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "covariance_check.hpp"
 #include "falko_slam/localization/localization_status.hpp"
 #include "falko_slam/localization/localizer_report.hpp"
 #include "localization/localizer_drive.hpp"
@@ -65,6 +66,25 @@ TEST(Localizer, FindsItselfWithoutAPose) {
 
   EXPECT_EQ(localizer.state().status, LocalizationStatus::kOk);
   EXPECT_LT(drive.error(localizer.state()), 0.02);
+}
+
+// As who sets a pose may say "anywhere": up to where a covariance is more than a double can
+// correct.
+TEST(Localizer, FindsItselfAfterAPoseThatMayBeAnywhere) {
+  const LocalizerDrive& drive = LocalizerDrive::shared();
+  for (const double deviation : {1e2, 1e4, 1e5, 1e9, 1e150}) {
+    Localizer localizer = drive.localizer(drive.map());
+    localizer.set_pose(drive.at(0.0), PoseEstimate{Pose2(), pose_covariance(deviation, kPi)});
+    drive.play(localizer, 0.0, 20.0, [&](const LocalizerReport& report) {
+      if (report.status == LocalizationStatus::kOk) {
+        EXPECT_LT(drive.error(report), 0.05);
+      }
+      if (!report.map_T_base) return;
+      EXPECT_TRUE(is_usable(*report.map_T_base)) << deviation;
+    });
+    EXPECT_EQ(localizer.state().status, LocalizationStatus::kOk) << deviation;
+    EXPECT_LT(drive.error(localizer.state()), 0.02) << deviation;
+  }
 }
 
 TEST(Localizer, NeverCallsAWrongPoseOk) {
