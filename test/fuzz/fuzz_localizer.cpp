@@ -141,6 +141,8 @@ class Player {
                 std::isfinite(report.map_T_base->pose.theta()) &&
                 report.map_T_base->covariance.allFinite(),
             "the pose is finite");
+    require((report.map_T_base->covariance.diagonal().array() >= 0.0).all(),
+            "variances are not negative");
   }
 
   InputNumbers numbers_;
