@@ -343,6 +343,7 @@ set(nodelet_sources
   src/nodelets/pose_graph_services.cpp
   src/nodelets/pose_graph_views.cpp
   src/nodelets/pose_graph_work.cpp
+  src/nodelets/pose_handover.cpp
   src/nodelets/scan_filter.cpp
   src/nodelets/scan_input.cpp
   src/nodelets/tricycle_odometry_nodelet.cpp)

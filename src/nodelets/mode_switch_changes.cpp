@@ -4,6 +4,7 @@
 // How the ModeSwitch nodelet goes from one mode to another, or does not.
 #include <falko_slam/SaveMap.h>
 #include <falko_slam/SaveState.h>
+#include <falko_slam/SetPose.h>
 #include <ros/service.h>
 
 #include <algorithm>
@@ -18,6 +19,8 @@
 
 namespace falko_slam {
 namespace {
+
+constexpr double kHandoverPatience = 2.0;  // [s]
 
 // A map that was made before must not be lost by one of three metres.
 std::string with_time(const std::string& name) {
@@ -101,6 +104,32 @@ void ModeSwitchNodelet::load(VehicleMode mode, const std::string& file) {
   getPrivateNodeHandle().setParam("mode", name_of(mode, vehicle_mode_names()));
 }
 
+// It takes no pose before its first motion: odometry has then gone on, too.
+std::string ModeSwitchNodelet::hand_over(const std::string& map) {
+  const std::string name = nodelet_of(VehicleMode::kLocalization).name + "/" + topics::kSetPose;
+  handover_->follow();
+  const auto when_loaded = handover_->pose_on(map);
+  std::string trouble = "odometry stands still";
+  const ros::SteadyTime began = ros::SteadyTime::now();
+  while ((ros::SteadyTime::now() - began).toSec() < kHandoverPatience) {
+    handover_->follow();
+    SetPose call;
+    const auto pose = handover_->pose_on(map);
+    if (!pose || !when_loaded) return "";
+    call.request.pose = *pose;
+    try {
+      if (pose->header.stamp > when_loaded->header.stamp) {
+        require_success(name, call);
+        return "; " + call.response.message + ", by odometry since it was there last";
+      }
+    } catch (const std::runtime_error& error) {
+      trouble = error.what();
+    }
+    ros::WallDuration(0.05).sleep();
+  }
+  return "; searches for its place: " + trouble;
+}
+
 std::string ModeSwitchNodelet::change(VehicleMode mode, const SetMode::Request& request) {
   const VehicleMode before = mode_;
   const std::string name = name_of(mode, vehicle_mode_names());
@@ -122,6 +151,7 @@ std::string ModeSwitchNodelet::change(VehicleMode mode, const SetMode::Request& 
       done += "; " + saved.response.message;
     }
     manager_->unload(old);
+    if (before == VehicleMode::kLocalization) handover_->keep(old_file, pose_);
   }
   if (before == VehicleMode::kMapping && mode != before) {
     // The next map is no continuation of what was saved by the way.
@@ -130,6 +160,7 @@ std::string ModeSwitchNodelet::change(VehicleMode mode, const SetMode::Request& 
   }
   try {
     load(mode, file);
+    if (mode == VehicleMode::kLocalization) done += hand_over(file);
   } catch (const std::runtime_error& error) {
     runs_ = false;
     ros::param::set(file_parameter(mode), kept);

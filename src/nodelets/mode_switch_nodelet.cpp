@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "falko_slam/ros_bridge/localizer_node_params.hpp"
 #include "falko_slam/ros_bridge/parameter_reader.hpp"
 #include "falko_slam/ros_bridge/topics.hpp"
 
@@ -32,6 +33,7 @@ ModeSwitchNodelet::~ModeSwitchNodelet() {
   if (thread_) thread_->stop();
   timer_.stop();
   set_mode_.shutdown();
+  poses_.shutdown();
 }
 
 void ModeSwitchNodelet::onInit() {
@@ -68,6 +70,11 @@ void ModeSwitchNodelet::start() {
           topics::kReflectors, topics::kInitialPose, topics::kPose, topics::kLocalizedOdometry,
           topics::kLandmarks, topics::kMarkers, topics::kStatus, topics::kMap, topics::kMapMetadata,
           topics::kPath, topics::kGraphMarkers, topics::kConstraints});
+  const std::string localizer = nodelet_of(VehicleMode::kLocalization).name;
+  handover_ = std::make_unique<PoseHandover>(
+      node, node.param(localizer + "/odom_frame", LocalizerNodeParams().odom_frame),
+      node.param(localizer + "/base_frame", LocalizerNodeParams().base_frame));
+  poses_ = node.subscribe(topics::kLocalizedOdometry, 1, &ModeSwitchNodelet::on_pose, this);
   mode_publisher_ = private_node.advertise<std_msgs::String>(topics::kMode, 1, true);
   publish_mode("none");
   set_mode_ =
@@ -98,7 +105,13 @@ void ModeSwitchNodelet::publish_mode(const std::string& mode) {
   mode_publisher_.publish(message);
 }
 
+void ModeSwitchNodelet::on_pose(const nav_msgs::Odometry& message) {
+  pose_.header = message.header;
+  pose_.pose = message.pose;
+}
+
 void ModeSwitchNodelet::on_timer() {
+  handover_->follow();
   try {
     supervise();
     autosave();

@@ -5,6 +5,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <falko_slam/SaveState.h>
 #include <falko_slam/SetMode.h>
+#include <nav_msgs/Odometry.h>
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -14,6 +15,7 @@
 
 #include "falko_slam/ros_bridge/mode_switch_params.hpp"
 #include "manager_client.hpp"
+#include "pose_handover.hpp"
 
 namespace falko_slam {
 
@@ -21,8 +23,8 @@ namespace falko_slam {
 /// nodelet manager, never both, for both send tf map -> odom.
 ///
 /// Service `~set_mode`; publishes `~mode`, latched: mapping, localization, or none. Looks after the
-/// nodelet of the mode: one that is gone, with its manager or without, is loaded again. Parameters:
-/// config/mode_switch.yaml.
+/// nodelet of the mode: one that is gone, with its manager or without, is loaded again. Back from
+/// mapping the Localizer is told where the vehicle is now. Parameters: config/mode_switch.yaml.
 ///
 /// Best a node of its own (bin mode_switch): it outlives the manager. Started again it takes over
 /// what runs. All callbacks come one after the other from a queue and thread of our own, which may
@@ -36,6 +38,7 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
   void load_parameters();
   void start();
 
+  void on_pose(const nav_msgs::Odometry& message);
   void on_timer();
   void supervise();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
@@ -52,6 +55,9 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
   SaveState save_map() const;
   /// With the file as its parameter.
   void load(VehicleMode mode, const std::string& file);
+  /// Tells the Localizer, which was just loaded, where the vehicle is on this map if that is known.
+  /// Returns what came of it, empty if it is not.
+  std::string hand_over(const std::string& map);
 
   ManagedNodelet nodelet_of(VehicleMode mode) const;
   std::string file_parameter(VehicleMode mode) const;
@@ -69,8 +75,11 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
 
   ros::CallbackQueue queue_;
   std::unique_ptr<ManagerClient> manager_;
+  std::unique_ptr<PoseHandover> handover_;
+  geometry_msgs::PoseWithCovarianceStamped pose_;  // of the Localizer, the last
   std::unique_ptr<diagnostic_updater::Updater> updater_;
   ros::Publisher mode_publisher_;
+  ros::Subscriber poses_;
   ros::ServiceServer set_mode_;
   ros::WallTimer timer_;
   std::unique_ptr<ros::AsyncSpinner> thread_;

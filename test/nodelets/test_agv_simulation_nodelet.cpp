@@ -47,8 +47,9 @@ class VehicleClient {
 
   bool localized() const {
     return status && status->level == LocalizerStatus::OK && pose && truth &&
-           std::hypot(pose->x - truth->x, pose->y - truth->y) < 0.2;  // stamps differ a little
+           error() < 0.2;  // stamps differ a little
   }
+  double error() const { return std::hypot(pose->x - truth->x, pose->y - truth->y); }
   bool says(const std::string& name, const std::string& words, int level) const {
     const auto found = diagnostics.find(name);
     return found != diagnostics.end() && found->second.level == level &&
@@ -171,8 +172,13 @@ TEST_F(AgvSimulation, MapsAndKeepsTheMapAndFindsItselfAgain) {
       spin_until([] { return client_->mode == "mapping" && client_->keyframes > 2; }, kDeadline));
 
   client_->status.reset();
+  client_->pose.reset();
   const SetMode::Response back = set_mode("localization");
   ASSERT_TRUE(back.success) << back.message;
+  EXPECT_NE(back.message.find(", by odometry since it was there last"), std::string::npos)
+      << back.message;
+  EXPECT_TRUE(spin_until([] { return client_->pose && client_->truth; }, kDeadline));
+  EXPECT_LT(client_->error(), 0.5);  // of the first pose
   EXPECT_TRUE(is_loaded("/localizer"));
   EXPECT_FALSE(is_loaded("/pose_graph"));
   EXPECT_EQ(folder_->names().size(), 4U) << back.message;  // .slam, .yaml, .pgm, .png
