@@ -298,6 +298,7 @@ set(ros_bridge_sources
   src/ros_bridge/packed_bag.cpp
   src/ros_bridge/parameter_reader.cpp
   src/ros_bridge/pose_conversion.cpp
+  src/ros_bridge/pose_handover.cpp
   src/ros_bridge/pose_recording.cpp
   src/ros_bridge/recorded_driver.cpp
   src/ros_bridge/recorded_tf.cpp
@@ -343,7 +344,6 @@ set(nodelet_sources
   src/nodelets/pose_graph_services.cpp
   src/nodelets/pose_graph_views.cpp
   src/nodelets/pose_graph_work.cpp
-  src/nodelets/pose_handover.cpp
   src/nodelets/scan_filter.cpp
   src/nodelets/scan_input.cpp
   src/nodelets/tricycle_odometry_nodelet.cpp)

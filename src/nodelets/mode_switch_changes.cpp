@@ -151,7 +151,7 @@ std::string ModeSwitchNodelet::change(VehicleMode mode, const SetMode::Request& 
       done += "; " + saved.response.message;
     }
     manager_->unload(old);
-    if (before == VehicleMode::kLocalization) handover_->keep(old_file, pose_);
+    if (before == VehicleMode::kLocalization) handover_->keep(old_file, pose_, ros::Time::now());
   }
   if (before == VehicleMode::kMapping && mode != before) {
     // The next map is no continuation of what was saved by the way.

@@ -71,8 +71,9 @@ void ModeSwitchNodelet::start() {
           topics::kLandmarks, topics::kMarkers, topics::kStatus, topics::kMap, topics::kMapMetadata,
           topics::kPath, topics::kGraphMarkers, topics::kConstraints});
   const std::string localizer = nodelet_of(VehicleMode::kLocalization).name;
+  transforms_ = std::make_unique<tf2_ros::TransformListener>(buffer_, node, true);
   handover_ = std::make_unique<PoseHandover>(
-      node, node.param(localizer + "/odom_frame", LocalizerNodeParams().odom_frame),
+      buffer_, node.param(localizer + "/odom_frame", LocalizerNodeParams().odom_frame),
       node.param(localizer + "/base_frame", LocalizerNodeParams().base_frame));
   poses_ = node.subscribe(topics::kLocalizedOdometry, 1, &ModeSwitchNodelet::on_pose, this);
   mode_publisher_ = private_node.advertise<std_msgs::String>(topics::kMode, 1, true);

@@ -9,13 +9,15 @@
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
 
 #include <memory>
 #include <string>
 
 #include "falko_slam/ros_bridge/mode_switch_params.hpp"
+#include "falko_slam/ros_bridge/pose_handover.hpp"
 #include "manager_client.hpp"
-#include "pose_handover.hpp"
 
 namespace falko_slam {
 
@@ -75,6 +77,8 @@ class ModeSwitchNodelet : public nodelet::Nodelet {
 
   ros::CallbackQueue queue_;
   std::unique_ptr<ManagerClient> manager_;
+  tf2_ros::Buffer buffer_;
+  std::unique_ptr<tf2_ros::TransformListener> transforms_;  // with a thread of its own
   std::unique_ptr<PoseHandover> handover_;
   geometry_msgs::PoseWithCovarianceStamped pose_;  // of the Localizer, the last
   std::unique_ptr<diagnostic_updater::Updater> updater_;

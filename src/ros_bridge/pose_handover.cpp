@@ -1,6 +1,8 @@
 // Copyright (c) falko_slam contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pose_handover.hpp"
+#include "falko_slam/ros_bridge/pose_handover.hpp"
+
+#include <tf2/exceptions.h>
 
 #include <stdexcept>
 #include <utility>
@@ -22,20 +24,20 @@ constexpr double kHeadingDeviation = 0.005, kHeadingDrift = 0.005;  // [rad], [r
 
 }  // namespace
 
-PoseHandover::PoseHandover(const ros::NodeHandle& node, std::string odom_frame,
+PoseHandover::PoseHandover(const tf2::BufferCore& transforms, std::string odom_frame,
                            std::string base_frame)
-    : odom_frame_(std::move(odom_frame)),
-      base_frame_(std::move(base_frame)),
-      listener_(buffer_, node, true) {}
+    : transforms_(transforms),
+      odom_frame_(std::move(odom_frame)),
+      base_frame_(std::move(base_frame)) {}
 
 geometry_msgs::TransformStamped PoseHandover::odom_T_base(ros::Time stamp) const {
-  return buffer_.lookupTransform(odom_frame_, base_frame_, stamp);
+  return transforms_.lookupTransform(odom_frame_, base_frame_, stamp);
 }
 
 void PoseHandover::keep(const std::string& map,
-                        const geometry_msgs::PoseWithCovarianceStamped& map_T_base) {
+                        const geometry_msgs::PoseWithCovarianceStamped& map_T_base, ros::Time now) {
   kept_.reset();
-  if ((ros::Time::now() - map_T_base.header.stamp).toSec() > kOldest) return;
+  if ((now - map_T_base.header.stamp).toSec() > kOldest) return;
   try {
     Kept kept;
     kept.map = map;

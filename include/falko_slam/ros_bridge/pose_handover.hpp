@@ -3,8 +3,8 @@
 #pragma once
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
-#include <ros/ros.h>
-#include <tf2_ros/transform_listener.h>
+#include <ros/time.h>
+#include <tf2/buffer_core.h>
 
 #include <optional>
 #include <string>
@@ -18,16 +18,21 @@ namespace falko_slam {
 /// where odometry was interrupted, it is not known.
 class PoseHandover {
  public:
-  /// Odometry is tf `odom_frame` -> `base_frame`.
-  PoseHandover(const ros::NodeHandle& node, std::string odom_frame, std::string base_frame);
+  /// Odometry is `odom_frame` -> `base_frame` of these transforms, which must outlive this.
+  PoseHandover(const tf2::BufferCore& transforms, std::string odom_frame, std::string base_frame);
 
-  /// The pose on `map` from now on. One of which odometry knows nothing is forgotten.
-  void keep(const std::string& map, const geometry_msgs::PoseWithCovarianceStamped& map_T_base);
+  /// The pose on `map` from now on, in the place of one that was kept before. It is not known if it
+  /// is older than 2 s, cannot be read, or is of a time of which odometry knows nothing.
+  void keep(const std::string& map, const geometry_msgs::PoseWithCovarianceStamped& map_T_base,
+            ros::Time now);
 
-  /// Adds up the way; to be called every second or so.
+  /// Adds up the way; to be called every second or so. The pose is not known any more after 30 m,
+  /// or where odometry is gone, went back in time or jumped by 5 m: it is another one then.
   void follow();
 
-  /// Empty where it is not known. To be called after `follow`.
+  /// When odometry was heard last, with a deviation of 2 cm and 3 % of the way, and of 5 mrad and
+  /// 5 mrad/m, beside that of the pose that was kept. Empty where it is not known. To be called
+  /// after `follow`.
   std::optional<geometry_msgs::PoseWithCovarianceStamped> pose_on(const std::string& map) const;
 
  private:
@@ -42,9 +47,8 @@ class PoseHandover {
 
   geometry_msgs::TransformStamped odom_T_base(ros::Time stamp) const;
 
+  const tf2::BufferCore& transforms_;
   std::string odom_frame_, base_frame_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;  // with a thread of its own
   std::optional<Kept> kept_;
 };
 
